@@ -1,0 +1,17 @@
+import { defineConfig } from 'vite';
+import { repository } from './vite.shared.config.ts';
+
+/** The command line: plain ES modules for Node, one chunk per command, dependencies left outside. */
+export default defineConfig({
+  root: repository,
+  publicDir: false,
+  ssr: { external: true },
+  build: {
+    target: 'node20',
+    ssr: `${repository}src/cli/main.ts`,
+    outDir: `${repository}dist/cli`,
+    emptyOutDir: true,
+    minify: false,
+    sourcemap: true,
+  },
+});

@@ -1,0 +1,51 @@
+import { defineConfig } from 'vitest/config';
+import { repository } from './vite.shared.config.ts';
+
+/**
+ * Three kinds of test, told apart by their names:
+ *   x.test.ts      plain Node, in parallel
+ *   x.gpu.test.ts  a GPU in Node (Dawn), one at a time: each device takes every core in software
+ *   x.e2e.test.ts  a real browser, one at a time
+ * The timeouts only catch a hang; no test says how fast something must be.
+ */
+const gpu = 'test/**/*.gpu.test.ts';
+const e2e = 'test/**/*.e2e.test.ts';
+const alone = { pool: 'forks', maxWorkers: 1, testTimeout: 300_000, hookTimeout: 300_000 } as const;
+
+export default defineConfig({
+  root: repository,
+  test: {
+    reporters: ['default', './test/support/reporter.ts'],
+    projects: [
+      {
+        extends: true,
+        test: {
+          name: { label: 'unit', color: 'green' },
+          include: ['test/**/*.test.ts'],
+          exclude: [gpu, e2e],
+          testTimeout: 60_000,
+          hookTimeout: 60_000,
+          sequence: { groupOrder: 0 },
+        },
+      },
+      {
+        extends: true,
+        test: {
+          name: { label: 'gpu', color: 'cyan' },
+          include: [gpu],
+          ...alone,
+          sequence: { groupOrder: 1 },
+        },
+      },
+      {
+        extends: true,
+        test: {
+          name: { label: 'e2e', color: 'magenta' },
+          include: [e2e],
+          ...alone,
+          sequence: { groupOrder: 2 },
+        },
+      },
+    ],
+  },
+});
