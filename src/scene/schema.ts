@@ -1,0 +1,195 @@
+/**
+ * The document: the one definition of what a scene is, and the only state of the lab. This
+ * file puts the document together; its parts are in the *-schema.ts files beside it, each
+ * with the fields' bounds, units and descriptions and the table of defaults.
+ *
+ * There are two schemas. `documentSchema` is the complete document, as it is in memory, and
+ * the types come from it. `documentFileSchema` is what a file may hold: fields that have a
+ * default may be left out; parsing fills them in.
+ *
+ * What no schema can say (references to other parts, parameters of a model) is in validate.ts.
+ */
+import { z } from 'zod';
+import { boolean, group, id, reference, vector3, withDefaults } from './fields.ts';
+import { geometryDefaults, geometryFileSchema, geometrySchema } from './geometry-schema.ts';
+import { lightFileSchema, lightSchema, nameField } from './light-schema.ts';
+import { materialFileSchema, materialSchema, modelName } from './material-schema.ts';
+import {
+  backgroundDefault,
+  backgroundSchema,
+  cameraDefaults,
+  cameraFileSchema,
+  cameraSchema,
+  environmentDefaults,
+  environmentFileSchema,
+  environmentSchema,
+  viewDefaults,
+  viewFileSchema,
+  viewSchema,
+} from './stage-schema.ts';
+
+// A page may forbid code made from strings; zod's generated parsers would need it.
+z.config({ jitless: true });
+
+export const documentVersion = 1;
+
+/** How many entries each collection may have. */
+export const collectionLimits = {
+  lights: 256,
+  objects: 20_000,
+  materials: 4096,
+  models: 64,
+  assets: 1024,
+} as const;
+
+/** Bytes of one asset, before base64. */
+export const maxAssetBytes = 128 * 1024 * 1024;
+export const maxModelLength = 1024 * 1024;
+
+export const objectShape = {
+  name: nameField,
+  visible: boolean('Whether the object is shown'),
+  position: vector3('Where the object is', { range: [-1e6, 1e6], unit: 'm', step: 0.01 }),
+  rotation: vector3('Rotation about x, then y, then z, each the object’s own', {
+    range: [-1e4, 1e4],
+    unit: '°',
+    slider: [-180, 180],
+    step: 1,
+  }),
+  scale: vector3('Scale along the object’s own axes', {
+    range: [-1e5, 1e5],
+    unit: '×',
+    slider: [0.01, 10],
+    step: 0.01,
+  }),
+  material: reference('What the surface is made of', 'materials'),
+  geometry: geometrySchema,
+} as const;
+
+export const objectSchema = z.strictObject(objectShape);
+export type SceneObject = z.output<typeof objectSchema>;
+
+/** What an object is when it has just been added; its material has to be given. */
+export const objectDefaults: Readonly<Omit<SceneObject, 'material'>> = {
+  name: 'Object',
+  visible: true,
+  position: [0, 0, 0],
+  rotation: [0, 0, 0],
+  scale: [1, 1, 1],
+  geometry: geometryDefaults.sphere,
+};
+
+const objectFileSchema = withDefaults(
+  { ...objectShape, geometry: geometryFileSchema },
+  { ...objectDefaults, geometry: undefined },
+);
+
+export const modelSourceSchema = z.strictObject({
+  source: group(z.string().max(maxModelLength), 'The text of a .brdf file'),
+});
+export type ModelSource = z.output<typeof modelSourceSchema>;
+
+/** A linear test: a pattern with groups could run out of stack on megabytes. */
+function isBase64(data: string): boolean {
+  const end = data.endsWith('==') ? data.length - 2 : data.length - (data.endsWith('=') ? 1 : 0);
+  return data.length % 4 === 0 && !/[^A-Za-z0-9+/]/.test(data.slice(0, end));
+}
+
+export const assetSchema = z.strictObject({
+  name: nameField,
+  mediaType: z
+    .string()
+    .regex(/^[a-z]+\/[A-Za-z0-9.+-]{1,80}$/)
+    .describe('Media type of the data, such as image/png or model/gltf-binary'),
+  data: z
+    .string()
+    .max(Math.ceil(maxAssetBytes / 3) * 4)
+    .refine(isBase64, 'Not base64')
+    .describe('The bytes of the file, as base64'),
+});
+export type Asset = z.output<typeof assetSchema>;
+
+const collection = <S extends z.ZodType, K extends keyof typeof collectionLimits>(
+  name: K,
+  key: z.ZodString,
+  schema: S,
+) =>
+  z
+    .record(key, schema)
+    .refine((record) => Object.keys(record).length <= collectionLimits[name], {
+      message: `Too many ${name}: at most ${collectionLimits[name]}`,
+    })
+    .meta({ maxProperties: collectionLimits[name] });
+
+export const documentShape = {
+  format: z.literal('irradia'),
+  version: z.literal(documentVersion),
+  name: z.string().max(200).describe('Title of the scene'),
+  description: z.string().max(4000).describe('What the scene shows'),
+  camera: cameraSchema,
+  environment: environmentSchema,
+  background: backgroundSchema,
+  lights: collection('lights', id, lightSchema),
+  objects: collection('objects', id, objectSchema),
+  materials: collection('materials', id, materialSchema),
+  models: collection('models', modelName, modelSourceSchema),
+  assets: collection('assets', id, assetSchema),
+  view: viewSchema,
+};
+
+export const documentSchema = z.strictObject(documentShape);
+export type Document = z.output<typeof documentSchema>;
+
+/** The parts of a document that hold many of a kind, by id. */
+export type Collection = 'lights' | 'objects' | 'materials' | 'models' | 'assets';
+export const collections: readonly Collection[] = ['lights', 'objects', 'materials', 'models', 'assets'];
+/** The parts that a document has once. */
+export type Single = Exclude<keyof Document, Collection>;
+export const singles: readonly Single[] = [
+  'format',
+  'version',
+  'name',
+  'description',
+  'camera',
+  'environment',
+  'background',
+  'view',
+];
+
+export const entitySchemas = {
+  lights: lightSchema,
+  objects: objectSchema,
+  materials: materialSchema,
+  models: modelSourceSchema,
+  assets: assetSchema,
+} as const satisfies Record<Collection, z.ZodType>;
+
+export const documentFileSchema = withDefaults(
+  {
+    ...documentShape,
+    camera: cameraFileSchema,
+    environment: environmentFileSchema,
+    lights: collection('lights', id, lightFileSchema),
+    objects: collection('objects', id, objectFileSchema),
+    materials: collection('materials', id, materialFileSchema),
+    view: viewFileSchema,
+  },
+  {
+    name: 'Untitled',
+    description: '',
+    camera: cameraDefaults,
+    environment: environmentDefaults,
+    background: backgroundDefault,
+    lights: {},
+    objects: {},
+    materials: {},
+    models: {},
+    assets: {},
+    view: viewDefaults,
+  },
+);
+
+export type { AddableGeometry, Geometry, GeometryOf, GeometryType } from './geometry-schema.ts';
+export type { Light, LightOf, LightType } from './light-schema.ts';
+export type { Material, MaterialMap, ScaledTextureRef, TextureRef } from './material-schema.ts';
+export type { Background, Camera, Environment, EnvironmentSource, View } from './stage-schema.ts';

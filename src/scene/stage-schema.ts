@@ -1,0 +1,166 @@
+/** What a scene has once: camera, environment, background, view. */
+import { z } from 'zod';
+import { boolean, choice, color, id, integer, number, reference, vector3, withDefaults } from './fields.ts';
+
+export const cameraShape = {
+  fov: number('Vertical field of view', { range: [1, 170], unit: '°', slider: [10, 120], step: 0.5 }),
+  position: vector3('Where the camera is', { range: [-1e6, 1e6], unit: 'm', step: 0.01 }),
+  target: vector3('The point that the camera looks at and orbits', {
+    range: [-1e6, 1e6],
+    unit: 'm',
+    step: 0.01,
+  }),
+  near: number('Nothing closer than this is drawn', {
+    range: [1e-4, 1e5],
+    unit: 'm',
+    slider: [0.01, 10],
+    step: 0.01,
+  }),
+  far: number('Nothing farther than this is drawn', {
+    range: [1e-3, 1e7],
+    unit: 'm',
+    slider: [10, 1000],
+    step: 1,
+  }),
+};
+
+/** The equirectangular images that ship: file names of @pmndrs/assets/hdri (CC0). */
+export const environmentPresets = [
+  'apartment',
+  'bridge',
+  'city',
+  'dawn',
+  'esplanade',
+  'forest',
+  'hall',
+  'lab',
+  'lobby',
+  'night',
+  'park',
+  'sky',
+  'studio',
+  'sunrise',
+  'sunset',
+  'venice',
+  'warehouse',
+  'workshop',
+] as const;
+
+export const environmentSourceShapes = {
+  none: { type: z.literal('none') },
+  constant: {
+    type: z.literal('constant'),
+    color: color('Colour of the light that comes from everywhere, linear Rec. 709'),
+  },
+  hdr: {
+    type: z.literal('hdr'),
+    asset: reference('An equirectangular HDR or EXR image', 'assets'),
+  },
+  preset: {
+    type: z.literal('preset'),
+    name: choice('An environment that comes with Irradia', environmentPresets),
+  },
+};
+
+export const environmentSourceSchema = z.discriminatedUnion('type', [
+  z.strictObject(environmentSourceShapes.none),
+  z.strictObject(environmentSourceShapes.constant),
+  z.strictObject(environmentSourceShapes.hdr),
+  z.strictObject(environmentSourceShapes.preset),
+]);
+export type EnvironmentSource = z.output<typeof environmentSourceSchema>;
+
+export const environmentShape = {
+  source: environmentSourceSchema,
+  intensity: number('Luminance of a white texel', {
+    range: [0, 1e6],
+    unit: 'nt',
+    slider: [0, 5],
+    step: 0.01,
+  }),
+  rotation: number('Rotation of the environment about the vertical', {
+    range: [-360, 360],
+    unit: '°',
+    slider: [-180, 180],
+    step: 1,
+  }),
+  samples: integer('Directions per pixel from which its light is gathered', {
+    range: [1, 1024],
+    slider: [1, 128],
+  }),
+};
+
+export const backgroundShapes = {
+  color: { type: z.literal('color'), color: color('Colour behind the scene, linear Rec. 709') },
+  environment: {
+    type: z.literal('environment'),
+    blur: number('How far the environment is out of focus', { range: [0, 1], step: 0.01 }),
+  },
+};
+export const backgroundSchema = z.discriminatedUnion('type', [
+  z.strictObject(backgroundShapes.color),
+  z.strictObject(backgroundShapes.environment),
+]);
+
+export const termSchema = z.strictObject({
+  material: id,
+  name: z.string().regex(/^[A-Za-z_][A-Za-z0-9_]{0,63}$/),
+});
+
+export const viewShape = {
+  exposure: number('Exposure: the picture is multiplied by 2 to this power', {
+    range: [-32, 32],
+    unit: 'EV',
+    slider: [-8, 8],
+    step: 0.05,
+  }),
+  toneMapping: choice('How radiance becomes a colour on the screen', ['none', 'aces', 'agx', 'neutral']),
+  resolutionScale: number('Pixels rendered per pixel of the viewport, along each side', {
+    range: [0.05, 4],
+    unit: '×',
+    slider: [0.25, 2],
+    step: 0.05,
+  }),
+  helpers: boolean('Show where the lights are and where they shine'),
+  term: termSchema
+    .nullable()
+    .describe('Show one term of a material’s model alone; null shows the whole model'),
+};
+
+export const cameraSchema = z.strictObject(cameraShape);
+export const environmentSchema = z.strictObject(environmentShape);
+export const viewSchema = z.strictObject(viewShape);
+
+export type Camera = z.output<typeof cameraSchema>;
+export type Environment = z.output<typeof environmentSchema>;
+export type Background = z.output<typeof backgroundSchema>;
+export type View = z.output<typeof viewSchema>;
+
+export const cameraDefaults: Readonly<Camera> = {
+  fov: 75,
+  position: [0, 1.6, 4],
+  target: [0, 0.5, 0],
+  near: 0.05,
+  far: 200,
+};
+export const environmentDefaults: Readonly<Environment> = {
+  source: { type: 'none' },
+  intensity: 1,
+  rotation: 0,
+  samples: 32,
+};
+export const backgroundDefault: Readonly<Background> = {
+  type: 'color',
+  color: [0.02, 0.02, 0.022],
+};
+export const viewDefaults: Readonly<View> = {
+  exposure: 0,
+  toneMapping: 'neutral',
+  resolutionScale: 1,
+  helpers: false,
+  term: null,
+};
+
+export const cameraFileSchema = withDefaults(cameraShape, cameraDefaults);
+export const environmentFileSchema = withDefaults(environmentShape, environmentDefaults);
+export const viewFileSchema = withDefaults(viewShape, viewDefaults);

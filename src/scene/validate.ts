@@ -1,0 +1,120 @@
+/**
+ * The rules of a complete document: its schema, and what a schema cannot say, that what is
+ * named exists. What is the same object as in an already valid document is not looked at
+ * again, so that an edit costs what it touched.
+ */
+import type { z } from 'zod';
+import { type DocumentIssue, type Path, pathText, shortened } from './error.ts';
+import { materialMaps } from './material-schema.ts';
+import {
+  type Collection,
+  collections,
+  type Document,
+  documentShape,
+  entitySchemas,
+  type Material,
+  singles,
+} from './schema.ts';
+
+/** All that is wrong with `document`, given that `valid`, if there is one, is not wrong at all. */
+export function documentIssues(document: Document, valid?: Document): DocumentIssue[] {
+  return [...shapeIssues(document, valid), ...referenceIssues(document, valid)];
+}
+
+/** A schema's findings, in our words where zod's are for programmers. */
+export function schemaIssues(error: z.ZodError, prefix: Path = []): DocumentIssue[] {
+  return error.issues.map((issue) => {
+    const path = [...prefix, ...issue.path];
+    if (issue.code === 'unrecognized_keys') {
+      const key = issue.keys[0] ?? '';
+      return { path: pathText([...path, key]), message: 'there is no such field' };
+    }
+    if (issue.code === 'invalid_key') return { path: pathText(path), message: 'not a valid name or id here' };
+    return { path: pathText(path), message: shortened(issue.message, 400) };
+  });
+}
+
+/** Entities are complete in memory: a missing field has no default here. */
+function shapeIssues(document: Document, valid: Document | undefined): DocumentIssue[] {
+  const issues: DocumentIssue[] = [];
+  const check = (schema: z.ZodType, value: unknown, path: Path): void => {
+    const result = schema.safeParse(value);
+    if (!result.success) issues.push(...schemaIssues(result.error, path));
+  };
+  for (const key of Object.keys(document))
+    if (!Object.hasOwn(documentShape, key))
+      issues.push({ path: pathText([key]), message: 'there is no such field' });
+  for (const name of singles)
+    if (document[name] !== valid?.[name]) check(documentShape[name], document[name], [name]);
+  for (const name of collections) {
+    const entities: unknown = document[name];
+    const before = valid?.[name];
+    if (entities === before) continue;
+    if (before === undefined || typeof entities !== 'object' || entities === null) {
+      check(documentShape[name], entities, [name]);
+      continue;
+    }
+    for (const [id, entity] of Object.entries(entities))
+      if (entity !== before[id]) check(entitySchemas[name], entity, [name, id]);
+    // Ids and their number: the entities themselves have just been seen.
+    const ids = Object.keys(entities);
+    if (ids.some((id) => !Object.hasOwn(before, id))) check(documentShape[name], entities, [name]);
+  }
+  return issues;
+}
+
+/** Whether something that others may name has gone or is new under its old name. */
+function targetsChanged(document: Document, valid: Document | undefined, names: Collection[]) {
+  return names.some((name) => {
+    const before = valid?.[name];
+    const now = document[name];
+    if (before === undefined) return true;
+    if (before === now) return false;
+    return Object.keys(before).some(
+      (id) => !Object.hasOwn(now, id) || (name === 'models' && now[id] !== before[id]),
+    );
+  });
+}
+
+function referenceIssues(document: Document, valid: Document | undefined): DocumentIssue[] {
+  const issues: DocumentIssue[] = [];
+  const need = (collection: 'assets' | 'materials', id: string, path: Path): void => {
+    if (!Object.hasOwn(document[collection], id)) {
+      const kind = collection === 'assets' ? 'asset' : 'material';
+      issues.push({ path: pathText(path), message: `there is no ${kind} "${shortened(id)}"` });
+    }
+  };
+  const all = targetsChanged(document, valid, ['materials', 'assets', 'models']);
+  const before = all ? undefined : valid;
+
+  for (const [id, object] of Object.entries(document.objects)) {
+    if (object === before?.objects[id]) continue;
+    need('materials', object.material, ['objects', id, 'material']);
+    if (object.geometry.type === 'gltf')
+      need('assets', object.geometry.asset, ['objects', id, 'geometry', 'asset']);
+  }
+  for (const [id, material] of Object.entries(document.materials)) {
+    if (material === before?.materials[id]) continue;
+    for (const [path, asset] of assetsOf(material)) need('assets', asset, ['materials', id, ...path]);
+  }
+  const { source } = document.environment;
+  if (source.type === 'hdr') need('assets', source.asset, ['environment', 'source', 'asset']);
+  const { term } = document.view;
+  if (term !== null) need('materials', term.material, ['view', 'term', 'material']);
+  if (document.camera.near >= document.camera.far)
+    issues.push({ path: 'camera.near', message: 'must be less than camera.far' });
+  return issues;
+}
+
+/** The assets that a material uses, each with the path of the field that names it. */
+export function assetsOf(material: Material): [path: Path, asset: string][] {
+  const found: [Path, string][] = Object.entries(material.textures).map(([name, texture]) => [
+    ['textures', name, 'asset'],
+    texture.asset,
+  ]);
+  for (const map of materialMaps) {
+    const texture = material[map];
+    if (texture !== null) found.push([[map, 'asset'], texture.asset]);
+  }
+  return found;
+}
