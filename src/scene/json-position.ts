@@ -10,8 +10,8 @@ export interface JsonFault {
 }
 
 const whitespace = /[ \t\n\r]*/y;
-const special = /["\\\u0000-\u001f]/g;
-const escape = /\\(?:["\\/bfnrt]|u[0-9a-fA-F]{4})/y;
+const special = /["\\]|[^ -\u{10ffff}]/gu;
+const escaped = /\\(?:["\\/bfnrt]|u[0-9a-fA-F]{4})/y;
 const scalar = /true|false|null|-?(?:0|[1-9][0-9]*)(?:\.[0-9]+)?(?:[eE][+-]?[0-9]+)?/y;
 
 /** The first fault, or null when the text is JSON. Works without recursion: depth costs nothing. */
@@ -46,7 +46,7 @@ export function findJsonFault(text: string): JsonFault | null {
         at += 1;
         return true;
       }
-      if (!take(escape)) return false;
+      if (!take(escaped)) return false;
     }
   };
 

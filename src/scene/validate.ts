@@ -4,8 +4,10 @@
  * again, so that an edit costs what it touched.
  */
 import type { z } from 'zod';
+import type { Parameter } from '../brdf/model.ts';
 import { type DocumentIssue, type Path, pathText, shortened } from './error.ts';
 import { materialMaps } from './material-schema.ts';
+import { findModel, modelFault, modelNames } from './models.ts';
 import {
   type Collection,
   collections,
@@ -18,7 +20,11 @@ import {
 
 /** All that is wrong with `document`, given that `valid`, if there is one, is not wrong at all. */
 export function documentIssues(document: Document, valid?: Document): DocumentIssue[] {
-  return [...shapeIssues(document, valid), ...referenceIssues(document, valid)];
+  const shape = shapeIssues(document, valid);
+  // What has the wrong shape, or a model that does not compile, cannot be asked what it refers to.
+  if (shape.length > 0) return shape;
+  const models = modelIssues(document, valid);
+  return models.length > 0 ? models : referenceIssues(document, valid);
 }
 
 /** A schema's findings, in our words where zod's are for programmers. */
@@ -95,15 +101,71 @@ function referenceIssues(document: Document, valid: Document | undefined): Docum
   }
   for (const [id, material] of Object.entries(document.materials)) {
     if (material === before?.materials[id]) continue;
+    issues.push(...materialIssues(document, id, material));
     for (const [path, asset] of assetsOf(material)) need('assets', asset, ['materials', id, ...path]);
   }
   const { source } = document.environment;
   if (source.type === 'hdr') need('assets', source.asset, ['environment', 'source', 'asset']);
   const { term } = document.view;
-  if (term !== null) need('materials', term.material, ['view', 'term', 'material']);
+  if (term !== null) {
+    need('materials', term.material, ['view', 'term', 'material']);
+    const model = findModel(document, document.materials[term.material]?.model ?? '');
+    if (model !== undefined && !model.terms.includes(term.name))
+      issues.push({ path: 'view.term.name', message: `${model.name} has no term "${term.name}"` });
+  }
   if (document.camera.near >= document.camera.far)
     issues.push({ path: 'camera.near', message: 'must be less than camera.far' });
   return issues;
+}
+
+function modelIssues(document: Document, valid: Document | undefined): DocumentIssue[] {
+  const issues: DocumentIssue[] = [];
+  for (const [name, entry] of Object.entries(document.models)) {
+    if (entry === valid?.models[name]) continue;
+    const message = modelFault(name, entry);
+    if (message !== null) issues.push({ path: pathText(['models', name, 'source']), message });
+  }
+  return issues;
+}
+
+/** Parameters and textures that the material's model does not have, or not of that type. */
+function materialIssues(document: Document, id: string, material: Material): DocumentIssue[] {
+  const issues: DocumentIssue[] = [];
+  const report = (path: Path, message: string): void => {
+    issues.push({ path: pathText(['materials', id, ...path]), message });
+  };
+  const model = findModel(document, material.model);
+  if (model === undefined) {
+    report(['model'], `there is no model "${material.model}"; there are ${modelNames(document).join(', ')}`);
+    return issues;
+  }
+  const parameters = new Map(model.parameters.map((parameter) => [parameter.name, parameter]));
+  for (const [name, value] of Object.entries(material.parameters)) {
+    const parameter = parameters.get(name);
+    if (parameter === undefined) report(['parameters', name], `${material.model} has no such parameter`);
+    else if (!isValueOf(parameter, value)) report(['parameters', name], expectedValue[parameter.type]);
+  }
+  for (const name of Object.keys(material.textures))
+    if (!parameters.has(name)) report(['textures', name], `${material.model} has no such parameter`);
+  return issues;
+}
+
+const expectedValue = {
+  float: 'expected a finite number',
+  bool: 'expected true or false',
+  color: 'expected three finite numbers (linear Rec. 709)',
+} as const;
+
+/** Finite is enough: a parameter's range is for its slider, values beyond it may be typed. */
+function isValueOf(parameter: Parameter, value: Material['parameters'][string]): boolean {
+  switch (parameter.type) {
+    case 'float':
+      return typeof value === 'number';
+    case 'bool':
+      return typeof value === 'boolean';
+    case 'color':
+      return Array.isArray(value);
+  }
 }
 
 /** The assets that a material uses, each with the path of the field that names it. */

@@ -1,0 +1,173 @@
+/**
+ * What a person can do to a document, each as one undo step with a label. Plain changes of
+ * one field need no command of their own: `setField` makes them. Commands for materials and
+ * models are in material-commands.ts.
+ */
+import { entity, namesOf } from './entity.ts';
+import { DocumentError, type Path, pathText } from './error.ts';
+import { type AddableGeometry, geometryDefaults, geometryNames } from './geometry-schema.ts';
+import { type LightType, lightDefaults } from './light-schema.ts';
+import { putMaterial } from './material-commands.ts';
+import { freeId, freeName } from './names.ts';
+import { type Geometry, type Light, objectDefaults } from './schema.ts';
+import type { DocumentStore, Draft } from './store.ts';
+import { assetsOf } from './validate.ts';
+
+/** What has a name of its own that can be changed. */
+export type Named = 'lights' | 'objects' | 'materials' | 'assets';
+
+/** Returns the new light's id. */
+export function addLight(store: DocumentStore, type: LightType, values: Partial<Light> = {}): string {
+  const { lights } = store.document;
+  const defaults = lightDefaults[type];
+  const id = freeId(type, lights);
+  store.edit(`Add ${defaults.name.toLowerCase()}`, (draft) => {
+    const name = freeName(defaults.name, namesOf(lights));
+    draft.lights[id] = { ...structuredClone(defaults), name, ...values, type } as Light;
+  });
+  return id;
+}
+
+/** Adds a primitive with a material (a new one if none is given); returns the object's id. */
+export function addObject(store: DocumentStore, type: AddableGeometry, material?: string): string {
+  const { objects } = store.document;
+  const name = geometryNames[type];
+  const id = freeId(name, objects);
+  store.edit(`Add ${name.toLowerCase()}`, (draft) => {
+    draft.objects[id] = {
+      ...structuredClone(objectDefaults),
+      name: freeName(name, namesOf(objects)),
+      material: material ?? putMaterial(draft, { name }),
+      geometry: structuredClone(geometryDefaults[type]),
+    };
+  });
+  return id;
+}
+
+/** Adds a file's bytes (base64); the same bytes are kept once. Returns the asset's id. */
+export function putAsset(draft: Draft, name: string, mediaType: string, data: string): string {
+  for (const [id, asset] of Object.entries(draft.assets))
+    if (asset.mediaType === mediaType && asset.data === data) return id;
+  const id = freeId(name.replace(/\.[A-Za-z0-9]+$/, ''), draft.assets);
+  draft.assets[id] = { name: name.slice(0, 200), mediaType, data };
+  return id;
+}
+
+export function addAsset(store: DocumentStore, name: string, mediaType: string, data: string): string {
+  let id = '';
+  store.edit(`Add ${name}`, (draft) => {
+    id = putAsset(draft, name, mediaType, data);
+  });
+  return id;
+}
+
+/** Returns the copy's id. The copy of an object shares its material. */
+export function duplicate(
+  store: DocumentStore,
+  collection: 'lights' | 'objects' | 'materials',
+  id: string,
+): string {
+  const original = entity(store.document, collection, id);
+  const entities = store.document[collection];
+  const copyId = freeId(id.replace(/-\d+$/, ''), entities);
+  store.edit(`Duplicate ${original.name}`, (draft) => {
+    const target: Record<string, { name: string }> = draft[collection];
+    target[copyId] = { ...structuredClone(original), name: freeName(original.name, namesOf(entities)) };
+  });
+  return copyId;
+}
+
+export function removeLight(store: DocumentStore, id: string): void {
+  const { name } = entity(store.document, 'lights', id);
+  store.edit(`Delete ${name}`, (draft) => {
+    delete draft.lights[id];
+  });
+}
+
+/** Removes objects; assets that nothing uses any more stay until removeUnused. */
+export function removeObjects(store: DocumentStore, ids: readonly string[]): void {
+  const names = ids.map((id) => entity(store.document, 'objects', id).name);
+  store.edit(`Delete ${names.length === 1 ? names[0] : `${names.length} objects`}`, (draft) => {
+    for (const id of ids) delete draft.objects[id];
+  });
+}
+
+/** Removes the materials and assets that nothing uses. */
+export function removeUnused(store: DocumentStore): void {
+  store.edit('Remove unused materials and files', (draft) => {
+    const objects = Object.values(draft.objects);
+    const materials = new Set(objects.map((object) => object.material));
+    if (draft.view.term !== null) materials.add(draft.view.term.material);
+    for (const id of Object.keys(draft.materials)) if (!materials.has(id)) delete draft.materials[id];
+    const assets = new Set<string>();
+    for (const { geometry } of objects) if (geometry.type === 'gltf') assets.add(geometry.asset);
+    for (const material of Object.values(draft.materials))
+      for (const [, asset] of assetsOf(material)) assets.add(asset);
+    const { source } = draft.environment;
+    if (source.type === 'hdr') assets.add(source.asset);
+    for (const id of Object.keys(draft.assets)) if (!assets.has(id)) delete draft.assets[id];
+  });
+}
+
+export function rename(store: DocumentStore, collection: Named, id: string, name: string): void {
+  const { name: old } = entity(store.document, collection, id);
+  store.edit(`Rename ${old} to ${name}`, (draft) => {
+    entity(draft, collection, id).name = name;
+  });
+}
+
+/**
+ * Sets the field at a path, such as `['lights', 'key', 'intensity']`. Edits of the same field
+ * in a row are one undo step until `store.endMerge()`.
+ */
+export function setField(store: DocumentStore, path: Path, value: unknown, label?: string): void {
+  const merge = pathText(path);
+  store.edit(
+    label ?? `Change ${fieldLabel(path)}`,
+    (draft) => {
+      let holder: unknown = draft;
+      for (const key of path.slice(0, -1)) holder = own(holder, key, path);
+      const last = path.at(-1);
+      if (last === undefined) return;
+      own(holder, last, path);
+      (holder as Record<string | number, unknown>)[last] = value;
+    },
+    { merge },
+  );
+}
+
+function own(holder: unknown, key: string | number, path: Path): unknown {
+  if (typeof holder !== 'object' || holder === null || !Object.hasOwn(holder, key))
+    throw new DocumentError('scene', [{ path: pathText(path), message: 'does not exist' }]);
+  return (holder as Record<string | number, unknown>)[key];
+}
+
+/** The last name in a path, as words: `widthSegments` is "width segments". */
+function fieldLabel(path: Path): string {
+  const name = path.findLast((key) => typeof key === 'string') ?? 'scene';
+  return name.replace(/([a-z])([A-Z])/g, '$1 $2').toLowerCase();
+}
+
+/** What two types have in common stays as it was. */
+function carried(from: object, to: object): object {
+  const result: Record<string, unknown> = { ...structuredClone(to) };
+  for (const [key, value] of Object.entries(from))
+    if (key !== 'type' && key in result) result[key] = structuredClone(value);
+  return result;
+}
+
+/** Another type of light in the same place. */
+export function setLightType(store: DocumentStore, id: string, type: LightType): void {
+  const light = entity(store.document, 'lights', id);
+  store.edit(`Make ${light.name} a ${lightDefaults[type].name.toLowerCase()}`, (draft) => {
+    draft.lights[id] = carried(light, lightDefaults[type]) as Light;
+  });
+}
+
+/** Another primitive in the same place. */
+export function setGeometryType(store: DocumentStore, id: string, type: AddableGeometry): void {
+  const { name, geometry } = entity(store.document, 'objects', id);
+  store.edit(`Make ${name} a ${geometryNames[type].toLowerCase()}`, (draft) => {
+    entity(draft, 'objects', id).geometry = carried(geometry, geometryDefaults[type]) as Geometry;
+  });
+}

@@ -1,0 +1,143 @@
+/** Commands for materials, their models and textures; each is one undo step with a label. */
+
+import type { Parameter, ParameterValue } from '../brdf/model.ts';
+import { checkValue } from '../brdf/values.ts';
+import { entity, namesOf } from './entity.ts';
+import { DocumentError, pathText } from './error.ts';
+import { materialDefaults, modelNamePattern, type TextureRef } from './material-schema.ts';
+import { findModel, modelNames } from './models.ts';
+import { freeId, freeName } from './names.ts';
+import type { Document, Material } from './schema.ts';
+import type { DocumentStore, Draft } from './store.ts';
+
+/** Puts a new material into a draft: for recipes that add more than a material. */
+export function putMaterial(draft: Draft, values: Partial<Material>): string {
+  const material = { ...structuredClone(materialDefaults), ...values };
+  material.name = freeName(material.name, namesOf(draft.materials));
+  const id = freeId(material.name, draft.materials);
+  draft.materials[id] = material;
+  return id;
+}
+
+/** Returns the new material's id. */
+export function addMaterial(store: DocumentStore, model = materialDefaults.model): string {
+  let id = '';
+  store.edit('Add material', (draft) => {
+    id = putMaterial(draft, { model, name: model });
+  });
+  return id;
+}
+
+/** Objects that have the material get another one; the last material that is in use stays. */
+export function removeMaterial(store: DocumentStore, id: string): void {
+  const { name } = entity(store.document, 'materials', id);
+  store.edit(`Delete ${name}`, (draft) => {
+    delete draft.materials[id];
+    if (draft.view.term?.material === id) draft.view.term = null;
+    const users = Object.values(draft.objects).filter((object) => object.material === id);
+    if (users.length === 0) return;
+    const heir = Object.keys(draft.materials)[0] ?? putMaterial(draft, {});
+    for (const object of users) object.material = heir;
+  });
+}
+
+export function assignMaterial(store: DocumentStore, objects: readonly string[], material: string): void {
+  const { name } = entity(store.document, 'materials', material);
+  store.edit(`Assign ${name}`, (draft) => {
+    for (const id of objects) entity(draft, 'objects', id).material = material;
+  });
+}
+
+/** Another model: parameters and textures that both models have, by name and type, stay. */
+export function setMaterialModel(store: DocumentStore, id: string, model: string): void {
+  const material = entity(store.document, 'materials', id);
+  const next = findModel(store.document, model);
+  const current = findModel(store.document, material.model);
+  store.edit(`Model of ${material.name}: ${model}`, (draft) => {
+    const target = entity(draft, 'materials', id);
+    target.model = model;
+    const stays = (name: string): boolean => {
+      const then = current?.parameters.find((parameter) => parameter.name === name);
+      return next?.parameters.some((now) => now.name === name && now.type === then?.type) ?? false;
+    };
+    for (const name of Object.keys(target.parameters)) if (!stays(name)) delete target.parameters[name];
+    for (const name of Object.keys(target.textures)) if (!stays(name)) delete target.textures[name];
+    if (draft.view.term?.material === id && !next?.terms.includes(draft.view.term.name))
+      draft.view.term = null;
+  });
+}
+
+function parameterOf(document: Document, id: string, name: string): Parameter {
+  const material = entity(document, 'materials', id);
+  const parameter = findModel(document, material.model)?.parameters.find((p) => p.name === name);
+  if (parameter === undefined)
+    throw new DocumentError('scene', [
+      {
+        path: pathText(['materials', id, 'parameters', name]),
+        message: `${material.model} has no such parameter`,
+      },
+    ]);
+  return parameter;
+}
+
+/** Sets a model's parameter; null takes the model's default again. */
+export function setParameter(
+  store: DocumentStore,
+  material: string,
+  name: string,
+  value: ParameterValue | null,
+): void {
+  const parameter = parameterOf(store.document, material, name);
+  const checked =
+    value === null ? null : checkValue(store.document.materials[material]!.model, parameter, value);
+  const label = value === null ? `Reset ${name}` : `Change ${name}`;
+  store.edit(
+    label,
+    (draft) => {
+      const { parameters } = entity(draft, 'materials', material);
+      if (checked === null) delete parameters[name];
+      else parameters[name] = typeof checked === 'object' ? [...checked] : checked;
+    },
+    { merge: `materials.${material}.parameters.${name}` },
+  );
+}
+
+/** Sets or, with null, takes away the texture of a model's parameter. */
+export function setTexture(
+  store: DocumentStore,
+  material: string,
+  name: string,
+  texture: TextureRef | null,
+): void {
+  parameterOf(store.document, material, name);
+  store.edit(texture === null ? `Remove texture of ${name}` : `Texture of ${name}`, (draft) => {
+    const { textures } = entity(draft, 'materials', material);
+    if (texture === null) delete textures[name];
+    else textures[name] = texture;
+  });
+}
+
+/**
+ * Adds a .brdf file's text under a name that no model has yet; returns that name. Throws
+ * DocumentError with the file, line and fault if the model does not compile.
+ */
+export function addModel(store: DocumentStore, fileName: string, source: string): string {
+  const base = fileName
+    .replace(/^.*[/\\]/, '')
+    .replace(/\.brdf$/i, '')
+    .replace(/[^A-Za-z0-9 ._-]/g, '-')
+    .slice(0, 48);
+  const name = freeName(modelNamePattern.test(base) ? base : 'model', modelNames(store.document));
+  store.edit(`Add model ${name}`, (draft) => {
+    draft.models[name] = { source };
+  });
+  return name;
+}
+
+/** Refused, with the materials' paths, while materials have the model. */
+export function removeModel(store: DocumentStore, name: string): void {
+  entity(store.document, 'models', name);
+  store.edit(`Delete model ${name}`, (draft) => {
+    delete draft.models[name];
+  });
+}
