@@ -1,0 +1,130 @@
+// The principled model, but for what its two forms differ in. The file that includes this one has
+// the model's parameters and three functions of its own:
+//   vec3 tint()                                       the base colour as a tint
+//   float subsurfaceShape(float NdotL, float NdotV)   the term of f_subsurface that depends on it
+//   vec3 specularFresnel(vec3 hue, float weight)      F of the specular lobe, with its colours
+// B. Burley, 2012, "Physically-Based Shading at Disney", section 5, and disney.brdf by the same author.
+::include lib/constants.glsl
+::include lib/frame.glsl
+::include lib/half-vector.glsl
+::include lib/schlick.glsl
+::include lib/diffuse-burley.glsl
+::include lib/gtr2.glsl
+::include lib/principled-parameters.glsl
+
+// The factor of the base.
+vec3 baseWeight() {
+    return baseColor * (INV_PI * (1.0 - metallic));
+}
+
+float diffuse(float weightL, float weightV, float LdotH) {
+    return Fd_Burley(weightL, weightV, LdotH, roughness);
+}
+
+float scattering(vec3 l, vec3 v, float weightL, float weightV, float LdotH) {
+    return Fd_Subsurface(weightL, weightV, LdotH, roughness, subsurfaceShape(l.z, v.z));
+}
+
+vec3 sheenColor(vec3 hue) {
+    return ((1.0 - metallic) * sheen) * mix(vec3(1.0), hue, sheenTint);
+}
+
+// D G / (4 (n.l)(n.v)).
+float reflection(vec3 l, vec3 v, vec3 h) {
+    vec2 alpha = principledAlpha(roughness, anisotropic);
+    return D_GTR2(h, alpha, G_SmithGTR2(l, alpha) * G_SmithGTR2(v, alpha));
+}
+
+float coat(vec3 l, vec3 v, vec3 h, float weightH) {
+    return CLEARCOAT_STRENGTH * clearcoat * clearcoatReflectance(l, v, h, weightH, clearcoatGloss);
+}
+
+bool belowHorizon(vec3 l, vec3 v) {
+    return l.z < HORIZON || v.z < HORIZON;
+}
+
+vec3 BRDF(vec3 L, vec3 V, vec3 N, vec3 X, vec3 Y) {
+    vec3 l = toFrame(L, N, X, Y);
+    vec3 v = toFrame(V, N, X, Y);
+    if (belowHorizon(l, v)) return vec3(0.0);
+    float LdotH = halfCosine(l, v);
+    vec3 h = halfVector(l, v, LdotH);
+    float weightL = F_SchlickWeight(l.z);
+    float weightV = F_SchlickWeight(v.z);
+    float weightH = F_SchlickWeight(LdotH);
+    vec3 hue = tint();
+
+    float base = diffuse(weightL, weightV, LdotH);
+    if (subsurface > 0.0) base = mix(base, scattering(l, v, weightL, weightV, LdotH), subsurface);
+    vec3 sum = baseWeight() * base + specularFresnel(hue, weightH) * reflection(l, v, h);
+    if (sheen > 0.0) sum += sheenColor(hue) * weightH;
+    if (clearcoat > 0.0) sum += coat(l, v, h, weightH);
+    return sum;
+}
+
+vec3 diffuseLobe(vec3 L, vec3 V, vec3 N, vec3 X, vec3 Y) {
+    vec3 l = toFrame(L, N, X, Y);
+    vec3 v = toFrame(V, N, X, Y);
+    if (belowHorizon(l, v)) return vec3(0.0);
+    return baseWeight() * ((1.0 - subsurface) * diffuse(F_SchlickWeight(l.z), F_SchlickWeight(v.z), halfCosine(l, v)));
+}
+
+vec3 subsurfaceLobe(vec3 L, vec3 V, vec3 N, vec3 X, vec3 Y) {
+    vec3 l = toFrame(L, N, X, Y);
+    vec3 v = toFrame(V, N, X, Y);
+    if (belowHorizon(l, v)) return vec3(0.0);
+    return baseWeight()
+        * (subsurface * scattering(l, v, F_SchlickWeight(l.z), F_SchlickWeight(v.z), halfCosine(l, v)));
+}
+
+vec3 specularLobe(vec3 L, vec3 V, vec3 N, vec3 X, vec3 Y) {
+    vec3 l = toFrame(L, N, X, Y);
+    vec3 v = toFrame(V, N, X, Y);
+    if (belowHorizon(l, v)) return vec3(0.0);
+    float LdotH = halfCosine(l, v);
+    return specularFresnel(tint(), F_SchlickWeight(LdotH)) * reflection(l, v, halfVector(l, v, LdotH));
+}
+
+vec3 sheenLobe(vec3 L, vec3 V, vec3 N, vec3 X, vec3 Y) {
+    if (belowHorizon(toFrame(L, N, X, Y), toFrame(V, N, X, Y))) return vec3(0.0);
+    return sheenColor(tint()) * F_SchlickWeight(halfCosine(L, V));
+}
+
+vec3 clearcoatLobe(vec3 L, vec3 V, vec3 N, vec3 X, vec3 Y) {
+    vec3 l = toFrame(L, N, X, Y);
+    vec3 v = toFrame(V, N, X, Y);
+    if (belowHorizon(l, v)) return vec3(0.0);
+    float LdotH = halfCosine(l, v);
+    return vec3(coat(l, v, halfVector(l, v, LdotH), F_SchlickWeight(LdotH)));
+}
+
+// D(h) in 1/sr: how many facets look along h.
+vec3 distribution(vec3 L, vec3 V, vec3 N, vec3 X, vec3 Y) {
+    vec3 l = toFrame(L, N, X, Y);
+    vec3 v = toFrame(V, N, X, Y);
+    if (belowHorizon(l, v)) return vec3(0.0);
+    return vec3(D_GTR2(halfVector(l, v, halfCosine(l, v)), principledAlpha(roughness, anisotropic), 1.0));
+}
+
+// F(l.h) in 0..1: the share of light that a facet reflects.
+vec3 fresnel(vec3 L, vec3 V, vec3 N, vec3 X, vec3 Y) {
+    if (belowHorizon(toFrame(L, N, X, Y), toFrame(V, N, X, Y))) return vec3(0.0);
+    return specularFresnel(tint(), F_SchlickWeight(halfCosine(L, V)));
+}
+
+// G(l, v) in 0..1: the share of the facets that is both lit and seen.
+vec3 masking(vec3 L, vec3 V, vec3 N, vec3 X, vec3 Y) {
+    vec3 l = toFrame(L, N, X, Y);
+    vec3 v = toFrame(V, N, X, Y);
+    if (belowHorizon(l, v)) return vec3(0.0);
+    vec2 alpha = principledAlpha(roughness, anisotropic);
+    return vec3(4.0 * l.z * v.z / (G_SmithGTR2(l, alpha) * G_SmithGTR2(v, alpha)));
+}
+
+// The clearcoat's D(h) in 1/sr.
+vec3 clearcoatDistribution(vec3 L, vec3 V, vec3 N, vec3 X, vec3 Y) {
+    vec3 l = toFrame(L, N, X, Y);
+    vec3 v = toFrame(V, N, X, Y);
+    if (belowHorizon(l, v)) return vec3(0.0);
+    return vec3(D_GTR1(halfVector(l, v, halfCosine(l, v)), clearcoatAlpha(clearcoatGloss), 1.0));
+}
