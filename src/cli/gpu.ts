@@ -1,4 +1,4 @@
-import { constants } from 'node:os';
+import { loadSharedLibrary } from './shared-library.ts';
 import { unpackSwiftShader } from './swiftshader.ts';
 
 /**
@@ -60,7 +60,7 @@ async function loadDawn(): Promise<{ create: Create }> {
 
 async function findAdapter(create: Create, software: boolean): Promise<Found | null> {
   // Dawn writes a warning of its own when there is no Vulkan loader at all.
-  if (process.platform === 'linux' && !software && !loads('libvulkan.so.1')) return null;
+  if (process.platform === 'linux' && !software && !loadSharedLibrary('libvulkan.so.1')) return null;
   const gpu = create([]);
   const adapter = await gpu.requestAdapter({
     powerPreference: 'high-performance',
@@ -75,26 +75,11 @@ async function findSoftware(create: Create): Promise<Found | null> {
   if (process.platform !== 'linux') return findAdapter(create, true);
   if (process.arch !== 'x64') return null;
   const { loader, icd } = unpackSwiftShader();
-  if (!loads('libvulkan.so.1')) loads(loader);
+  if (!loadSharedLibrary('libvulkan.so.1')) loadSharedLibrary(loader);
   // The loader reads both, the second since 1.3.207, each time that Dawn makes an instance.
   process.env.VK_ICD_FILENAMES = icd;
   process.env.VK_DRIVER_FILES = icd;
   return findAdapter(create, true);
-}
-
-/**
- * Loads a shared library and keeps it, so that Dawn finds it by its name. Node takes it for an addon
- * and complains that it registers nothing; RTLD_NODELETE keeps it loaded all the same.
- */
-function loads(library: string): boolean {
-  const { RTLD_NOW, RTLD_GLOBAL } = constants.dlopen;
-  const RTLD_NODELETE = 0x1000;
-  try {
-    process.dlopen({ exports: {} }, library, RTLD_NOW | RTLD_GLOBAL | RTLD_NODELETE);
-    return true;
-  } catch (error) {
-    return error instanceof Error && error.message.includes('did not self-register');
-  }
 }
 
 /** WebGPU's defaults (256 MiB a buffer, 128 MiB a storage binding) are too small for large scenes. */
