@@ -1,0 +1,26 @@
+import { type Integral, integrateHemisphere, type QuadratureOptions } from './quadrature.ts';
+import type { Vec3 } from './vector.ts';
+
+/**
+ * The directional albedo R(v) = integral of f(l, v) (n.l) dl, n = +z: the share of the light that a surface
+ * in a uniformly white world sends towards v, and by reciprocity the share that it reflects of light that
+ * comes from v. A surface that makes no light of its own has R <= 1.
+ *
+ * @param f the BRDF in 1/sr
+ * @param v the direction to the viewer
+ */
+export function directionalAlbedo(
+  f: (l: Vec3, v: Vec3) => Vec3,
+  v: Vec3,
+  options: QuadratureOptions = {},
+): Integral {
+  // The peaks that reflection has: the mirror direction, and back to where the light came from.
+  const mirror: Vec3 = [-v[0], -v[1], v[2]];
+  return integrateHemisphere(
+    (l) => {
+      const [r, g, b] = f(l, v);
+      return [r * l[2], g * l[2], b * l[2]];
+    },
+    { tolerance: 1e-4, ...options, focus: [mirror, v] },
+  );
+}
