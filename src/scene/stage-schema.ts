@@ -1,6 +1,7 @@
 /** What a scene has once: camera, environment, background, view. */
 import { z } from 'zod';
 import { boolean, choice, color, id, integer, number, reference, vector3, withDefaults } from './fields.ts';
+import { environmentPresets } from './presets.ts';
 
 export const cameraShape = {
   fov: number('Vertical field of view', { range: [1, 170], unit: '°', slider: [10, 120], step: 0.5 }),
@@ -23,28 +24,6 @@ export const cameraShape = {
     step: 1,
   }),
 };
-
-/** The equirectangular images that ship: file names of @pmndrs/assets/hdri (CC0). */
-export const environmentPresets = [
-  'apartment',
-  'bridge',
-  'city',
-  'dawn',
-  'esplanade',
-  'forest',
-  'hall',
-  'lab',
-  'lobby',
-  'night',
-  'park',
-  'sky',
-  'studio',
-  'sunrise',
-  'sunset',
-  'venice',
-  'warehouse',
-  'workshop',
-] as const;
 
 export const environmentSourceShapes = {
   none: { type: z.literal('none') },

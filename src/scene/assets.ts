@@ -1,0 +1,143 @@
+/**
+ * Decoding of assets: images, environments, glTF files, Suzanne. Every asset is decoded once
+ * for as long as the document holds it. What differs between a page and Node is injected.
+ * A promise that fails says which asset and what is wrong with it.
+ */
+
+import type { DRACOLoader } from 'three/addons/loaders/DRACOLoader.js';
+import * as THREE from 'three/webgpu';
+import { type GltfFile, readGltf, textureImage } from '../io/gltf/file.ts';
+import type { Geometries } from '../io/gltf/geometry.ts';
+import { decodeBase64, decodeDataUrl } from './base64.ts';
+import { type EnvironmentPreset, loadPreset, loadSuzanne } from './presets.ts';
+import type { Asset } from './schema.ts';
+
+/** A decoded image: sRGB or data as stored, alpha not multiplied in, bottom row first. */
+export type TextureImage = ImageBitmap | { data: Uint8Array; width: number; height: number };
+
+/** What a browser and Node do differently. */
+export interface AssetPlatform {
+  decodeImage(bytes: Uint8Array<ArrayBuffer>, mediaType: string): Promise<TextureImage>;
+  dracoLoader(): DRACOLoader;
+}
+
+interface OpenGltf {
+  file: GltfFile;
+  geometries(): Promise<Geometries>;
+}
+
+export class AssetLoader {
+  readonly #platform: AssetPlatform;
+  readonly #images = new WeakMap<Asset, Map<number | null, Promise<TextureImage>>>();
+  readonly #gltfs = new WeakMap<Asset, OpenGltf>();
+  #suzanne: Promise<THREE.BufferGeometry> | null = null;
+  #draco: DRACOLoader | null = null;
+
+  constructor(platform: AssetPlatform) {
+    this.#platform = platform;
+  }
+
+  /** An image asset, or with an index that texture's image of a glTF asset. */
+  image(asset: Asset, texture: number | null): Promise<TextureImage> {
+    const images = this.#images.get(asset) ?? new Map<number | null, Promise<TextureImage>>();
+    this.#images.set(asset, images);
+    const image = images.get(texture) ?? this.#decodeImage(asset, texture);
+    images.set(texture, image);
+    return image;
+  }
+
+  /** The geometry of a primitive of a node's mesh; shared, so not to be changed or disposed. */
+  async gltfGeometry(asset: Asset, node: number, primitive: number): Promise<THREE.BufferGeometry> {
+    const geometries = await this.gltf(asset).geometries();
+    return geometries(node, primitive);
+  }
+
+  /** Throws GltfError if the asset is not a glTF file. */
+  gltf(asset: Asset): OpenGltf {
+    const open = this.#gltfs.get(asset) ?? this.#openGltf(readGltf(decodeBase64(asset.data), asset.name));
+    this.#gltfs.set(asset, open);
+    return open;
+  }
+
+  suzanne(): Promise<THREE.BufferGeometry> {
+    this.#suzanne ??= this.#loadSuzanne();
+    return this.#suzanne;
+  }
+
+  /** The caller's own, to dispose of. */
+  async environment(asset: Asset): Promise<THREE.DataTexture> {
+    return decodeEnvironment(decodeBase64(asset.data), asset.name);
+  }
+
+  /** The caller's own, to dispose of. */
+  async preset(name: EnvironmentPreset): Promise<THREE.DataTexture> {
+    return decodeEnvironment(bytesOf(await loadPreset(name)), name);
+  }
+
+  dispose(): void {
+    this.#draco?.dispose();
+    this.#draco = null;
+  }
+
+  async #decodeImage(asset: Asset, texture: number | null): Promise<TextureImage> {
+    try {
+      if (texture === null)
+        return await this.#platform.decodeImage(decodeBase64(asset.data), asset.mediaType);
+      const { bytes, mediaType } = textureImage(this.gltf(asset).file, texture);
+      return await this.#platform.decodeImage(new Uint8Array(bytes), mediaType);
+    } catch (cause) {
+      const place = texture === null ? asset.name : `${asset.name}, textures[${texture}]`;
+      throw new Error(`${place}: the image cannot be read: ${messageOf(cause)}`, { cause });
+    }
+  }
+
+  #openGltf(file: GltfFile): OpenGltf {
+    let geometries: Promise<Geometries> | null = null;
+    const open = async () => {
+      const { openGeometries } = await import('../io/gltf/geometry.ts');
+      return openGeometries(file, () => {
+        this.#draco ??= this.#platform.dracoLoader();
+        return this.#draco;
+      });
+    };
+    return {
+      file,
+      geometries() {
+        geometries ??= open();
+        return geometries;
+      },
+    };
+  }
+
+  async #loadSuzanne(): Promise<THREE.BufferGeometry> {
+    const open = this.#openGltf(readGltf(bytesOf(await loadSuzanne()), 'Suzanne'));
+    const geometries = await open.geometries();
+    return geometries(0, 0);
+  }
+}
+
+export const messageOf = (error: unknown): string => (error instanceof Error ? error.message : String(error));
+
+function bytesOf(dataUrl: string): Uint8Array<ArrayBuffer> {
+  const decoded = decodeDataUrl(dataUrl);
+  if (decoded === null) throw new Error('a shipped asset is not a data URL');
+  return decoded.bytes;
+}
+
+/** Radiance HDR or OpenEXR, told apart by their first bytes. */
+async function decodeEnvironment(bytes: Uint8Array<ArrayBuffer>, name: string): Promise<THREE.DataTexture> {
+  const isExr = bytes[0] === 0x76 && bytes[1] === 0x2f && bytes[2] === 0x31 && bytes[3] === 0x01;
+  const isHdr = bytes[0] === 0x23 && bytes[1] === 0x3f;
+  if (!isExr && !isHdr) throw new Error(`${name}: neither a Radiance HDR nor an OpenEXR image`);
+  try {
+    const loader = isExr
+      ? new (await import('three/addons/loaders/EXRLoader.js')).EXRLoader()
+      : new (await import('three/addons/loaders/HDRLoader.js')).HDRLoader();
+    const texture = loader.createDataTexture(bytes.buffer);
+    texture.mapping = THREE.EquirectangularReflectionMapping;
+    texture.name = name;
+    return texture;
+  } catch (cause) {
+    throw new Error(`${name}: the image cannot be read: ${messageOf(cause)}`, { cause });
+  }
+}
