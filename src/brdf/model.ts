@@ -1,0 +1,66 @@
+/**
+ * The contract of a BRDF file.
+ *
+ * A model is a table of parameters and GLSL. Conventions, everywhere: L and V are unit vectors that point
+ * away from the surface, N is the shading normal, X and Y are tangent and bitangent. BRDF() returns f in
+ * 1/sr without the cosine. Colours are linear Rec. 709. Angles are in radians.
+ */
+
+interface ParameterBase {
+  readonly name: string;
+  /** What the parameter does and its unit, for a tooltip; empty if the file does not say. */
+  readonly description: string;
+}
+
+/** A number; min and max are a slider's ends, values beyond them are allowed (Burley 2012, principle 4). */
+export interface FloatParameter extends ParameterBase {
+  readonly type: 'float';
+  readonly min: number;
+  readonly max: number;
+  readonly default: number;
+}
+
+/** A linear Rec. 709 colour. */
+export interface ColorParameter extends ParameterBase {
+  readonly type: 'color';
+  readonly default: Rgb;
+}
+
+/** A switch. */
+export interface BoolParameter extends ParameterBase {
+  readonly type: 'bool';
+  readonly default: boolean;
+}
+
+export type Rgb = readonly [number, number, number];
+export type Parameter = FloatParameter | ColorParameter | BoolParameter;
+export type ParameterValue = number | boolean | Rgb;
+export type ParameterValues = Readonly<Record<string, ParameterValue>>;
+
+/** One line of GLSL and where it was written. */
+export interface SourceLine {
+  readonly text: string;
+  readonly file: string;
+  readonly line: number;
+}
+
+/** GLSL with its includes spliced in. */
+export interface SourceText {
+  readonly lines: readonly SourceLine[];
+}
+
+/** A parsed `.brdf` file. */
+export interface BrdfFile {
+  /** The file's name without folder and extension. */
+  readonly name: string;
+  /** The file's name as it was given, for messages. */
+  readonly fileName: string;
+  /** First sentence of the header comment, or the name. */
+  readonly title: string;
+  /** The comment that heads the file: its manual page. */
+  readonly documentation: string;
+  readonly parameters: readonly Parameter[];
+  readonly shader: SourceText;
+  /** sampleL() and pdf(), if the file brings its own. */
+  readonly sampling: SourceText | null;
+}

@@ -1,0 +1,122 @@
+import type { ArithmeticOperator, Value } from './ir.ts';
+import { componentCount, type ScalarName, scalarOf, type Type } from './types.ts';
+
+/** What an uninitialised variable holds: zero, on every back end. */
+export function zeroOf(type: Type): Value {
+  switch (type.kind) {
+    case 'void':
+      return 0;
+    case 'scalar':
+      return type.scalar === 'bool' ? false : 0;
+    case 'vector':
+      return new Array<Value>(type.size).fill(type.scalar === 'bool' ? false : 0);
+    case 'matrix':
+      return new Array<Value>(type.columns * type.rows).fill(0);
+    case 'array':
+      return Array.from({ length: type.length }, () => zeroOf(type.element));
+    case 'struct':
+      return type.fields.map((field) => zeroOf(field.type));
+  }
+}
+
+type Scalar2 = (a: number, b: number) => number;
+
+const FLOAT_OPERATORS: Partial<Record<ArithmeticOperator, Scalar2>> = {
+  '+': (a, b) => a + b,
+  '-': (a, b) => a - b,
+  '*': (a, b) => a * b,
+  '/': (a, b) => a / b,
+};
+/** 32 bit two's complement; division by zero, undefined in GLSL, gives what WGSL defines: the dividend. */
+const INT_OPERATORS: Record<ArithmeticOperator, Scalar2> = {
+  '+': (a, b) => (a + b) | 0,
+  '-': (a, b) => (a - b) | 0,
+  '*': Math.imul,
+  '/': (a, b) => (b === 0 ? a : (a / b) | 0),
+  '%': (a, b) => (b === 0 ? 0 : (a % b) | 0),
+  '&': (a, b) => a & b,
+  '|': (a, b) => a | b,
+  '^': (a, b) => a ^ b,
+  '<<': (a, b) => a << b,
+  '>>': (a, b) => a >> b,
+};
+const UINT_OPERATORS: Record<ArithmeticOperator, Scalar2> = {
+  ...INT_OPERATORS,
+  '/': (a, b) => (b === 0 ? a : a / b),
+  '%': (a, b) => (b === 0 ? 0 : a % b),
+  '>>': (a, b) => a >>> b,
+};
+
+/** The function of an arithmetic operator between operands of these types. */
+export function arithmetic(
+  operator: ArithmeticOperator,
+  left: Type,
+  right: Type,
+): (a: Value, b: Value) => Value {
+  if (operator === '*' && (left.kind === 'matrix' || right.kind === 'matrix')) {
+    if (left.kind !== 'scalar' && right.kind !== 'scalar') return matrixProduct(left, right);
+  }
+  const base = scalarOf(left);
+  const f =
+    base === 'float'
+      ? (FLOAT_OPERATORS[operator] as Scalar2)
+      : base === 'uint'
+        ? (a: number, b: number) => UINT_OPERATORS[operator](a, b) >>> 0
+        : INT_OPERATORS[operator];
+  if (left.kind === 'scalar' && right.kind === 'scalar') return f as (a: Value, b: Value) => Value;
+  if (left.kind === 'scalar') return (a, b) => (b as readonly number[]).map((x) => f(a as number, x));
+  if (right.kind === 'scalar') return (a, b) => (a as readonly number[]).map((x) => f(x, b as number));
+  return (a, b) => (a as readonly number[]).map((x, i) => f(x, (b as readonly number[])[i] as number));
+}
+
+/** matrix * matrix, matrix * vector (a column) or vector (a row) * matrix. */
+function matrixProduct(left: Type, right: Type): (a: Value, b: Value) => Value {
+  const [rows, inner] = left.kind === 'matrix' ? [left.rows, left.columns] : [1, componentCount(left)];
+  const columns = right.kind === 'matrix' ? right.columns : 1;
+  return (a, b) => {
+    const [x, y] = [a as readonly number[], b as readonly number[]];
+    const result: number[] = [];
+    for (let c = 0; c < columns; c++) {
+      for (let r = 0; r < rows; r++) {
+        let sum = 0;
+        for (let k = 0; k < inner; k++) sum += (x[k * rows + r] as number) * (y[c * inner + k] as number);
+        result.push(sum);
+      }
+    }
+    return result;
+  };
+}
+
+function convertScalar(from: ScalarName, to: ScalarName): (x: Value) => Value {
+  if (from === to) return (x) => x;
+  if (to === 'bool') return (x) => x !== 0;
+  const whole = (x: number) => (to === 'int' ? Math.trunc(x) | 0 : to === 'uint' ? Math.trunc(x) >>> 0 : x);
+  return from === 'bool' ? (x) => (x ? 1 : 0) : (x) => whole(x as number);
+}
+
+/** The function that makes a value of a type from constructor arguments of these types. */
+export function constructFloat64(type: Type, args: readonly Type[]): (values: readonly Value[]) => Value {
+  const [first] = args as [Type, ...Type[]];
+  if (type.kind === 'struct' || type.kind === 'array') return (values) => values;
+  const cast = convertScalar(scalarOf(first) as ScalarName, scalarOf(type) as ScalarName);
+  if (type.kind === 'scalar') return ([value]) => cast(Array.isArray(value) ? value[0] : (value as Value));
+  if (type.kind === 'matrix') {
+    const { columns, rows } = type;
+    const fromMatrix = first.kind === 'matrix' ? first : null;
+    if (args.length === 1 && (fromMatrix || first.kind === 'scalar')) {
+      return ([value]) =>
+        Array.from({ length: columns * rows }, (_, i) => {
+          const [c, r] = [Math.floor(i / rows), i % rows];
+          const inside = fromMatrix && c < fromMatrix.columns && r < fromMatrix.rows;
+          if (inside) return (value as readonly Value[])[c * fromMatrix.rows + r] as Value;
+          return c === r ? (fromMatrix ? 1 : (value as Value)) : 0;
+        });
+    }
+    return (values) => values.flat().slice(0, columns * rows) as Value[];
+  }
+  const size = componentCount(type);
+  if (args.length === 1 && first.kind === 'scalar')
+    return ([value]) => new Array<Value>(size).fill(cast(value as Value));
+  if (args.length === 1) return ([value]) => (value as readonly Value[]).slice(0, size).map(cast);
+  return (values) => values.flat().slice(0, size) as Value[];
+}

@@ -1,0 +1,55 @@
+import type { EmittedFunction } from './emit.ts';
+import { GlslEmitter } from './emit-glsl.ts';
+import { WgslEmitter } from './emit-wgsl.ts';
+import type { FunctionIR } from './ir.ts';
+import type { Model } from './model.ts';
+
+export type ShadingLanguage = 'wgsl' | 'glsl';
+
+const prefixes = new WeakMap<Model, string>();
+
+/**
+ * What starts every global name of a model's shader code: the same for equal sources, so that materials
+ * of equal models share pipelines, and different for different ones, so that they can share a shader.
+ */
+export function shaderPrefix(model: Model): string {
+  let prefix = prefixes.get(model);
+  if (prefix === undefined) {
+    const lines = [...model.file.shader.lines, ...(model.file.sampling?.lines ?? [])].map(
+      (line) => line.text,
+    );
+    const table = model.parameters.map(({ type, name }) => `${type} ${name}`);
+    prefix = `brdf${fnv1a([...table, ...lines].join('\n'))}`;
+    prefixes.set(model, prefix);
+  }
+  return prefix;
+}
+
+/** One function as text; what it calls is not included. */
+export function emitFunction(model: Model, f: FunctionIR, language: ShadingLanguage): EmittedFunction {
+  const prefix = shaderPrefix(model);
+  return (language === 'wgsl' ? new WgslEmitter(f, prefix) : new GlslEmitter(f, prefix)).emit();
+}
+
+/** A function and all that it needs, as the text of a module: for people to read and for tests. */
+export function emitModule(model: Model, roots: readonly FunctionIR[], language: ShadingLanguage): string {
+  const parts = new Map<string, string>();
+  const visit = (f: FunctionIR): void => {
+    for (const callee of f.calls) visit(callee);
+    const { name, code, needs } = emitFunction(model, f, language);
+    for (const [need, text] of needs) parts.set(need, text);
+    if (!parts.has(name)) parts.set(name, code);
+  };
+  for (const root of roots) visit(root);
+  return [...parts.values()].join('\n');
+}
+
+/** Fowler, Noll and Vo's hash, 1a, twice 32 bits: names need to differ, not to be secret. */
+function fnv1a(text: string): string {
+  const hash = (seed: number) => {
+    let h = seed;
+    for (let i = 0; i < text.length; i++) h = Math.imul(h ^ text.charCodeAt(i), 0x01000193);
+    return (h >>> 0).toString(36);
+  };
+  return hash(0x811c9dc5) + hash(0x1b873593);
+}

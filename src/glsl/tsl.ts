@@ -1,0 +1,176 @@
+import { CodeNode, Node, type NodeBuilder } from 'three/webgpu';
+import type { FunctionIR } from './ir.ts';
+import { findFunction, type Model } from './model.ts';
+import { emitFunction, type ShadingLanguage } from './shader-text.ts';
+
+/**
+ * Models as TSL nodes. A call of a model is one node; the function's text, in the language of the builder
+ * that asks, is emitted once per shader. Text rather than a node per operation: see
+ * docs/decisions/0002-glsl-front-end.md.
+ */
+
+type FloatNode = Node<'float'>;
+type Vector2Node = Node<'vec2'>;
+type Vector3Node = Node<'vec3'>;
+
+/** A node for each parameter of a model: uniforms, texels, or any other. */
+export type ParameterNodes = Readonly<Record<string, Node>>;
+
+/** What @types/three leaves out of NodeBuilder. */
+interface BuilderFormat {
+  format(snippet: string, fromType: string, toType: string): string;
+}
+
+function languageOf(builder: NodeBuilder): ShadingLanguage {
+  // The class name does not survive minification; this flag does.
+  const { backend } = builder.renderer as unknown as { backend: { isWebGPUBackend?: boolean } };
+  return backend.isWebGPUBackend === true ? 'wgsl' : 'glsl';
+}
+
+/** Global code in both languages. */
+class TextNode extends CodeNode {
+  private readonly text: (language: ShadingLanguage) => string;
+
+  constructor(text: (language: ShadingLanguage) => string, includes: CodeNode[] = []) {
+    super('', includes);
+    this.text = text;
+  }
+
+  override generate(builder: NodeBuilder): string {
+    this.code = this.text(languageOf(builder));
+    return super.generate(builder) as string;
+  }
+}
+
+/** Helpers that several functions need: one node for each text, so that a shader has each once. */
+const helpers = new Map<string, TextNode>();
+
+class FunctionTextNode extends TextNode {
+  private readonly model: Model;
+  private readonly f: FunctionIR;
+
+  constructor(model: Model, f: FunctionIR, includes: CodeNode[]) {
+    super((language) => emitFunction(model, f, language).code, includes);
+    this.model = model;
+    this.f = f;
+  }
+
+  /** Structs and helpers differ by language, so they are known only now. */
+  override generate(builder: NodeBuilder): string {
+    const language = languageOf(builder);
+    for (const include of this.getIncludes(builder)) include.build(builder);
+    for (const [name, code] of emitFunction(this.model, this.f, language).needs) {
+      const key = `${language} ${name}`;
+      let node = helpers.get(key);
+      if (!node) {
+        node = new TextNode(() => code);
+        helpers.set(key, node);
+      }
+      (node as Node).build(builder, 'void');
+    }
+    return super.generate(builder);
+  }
+
+  functionName(builder: NodeBuilder): string {
+    return emitFunction(this.model, this.f, languageOf(builder)).name;
+  }
+}
+
+const functionNodes = new WeakMap<FunctionIR, FunctionTextNode>();
+
+function functionNode(model: Model, f: FunctionIR): FunctionTextNode {
+  let node = functionNodes.get(f);
+  if (!node) {
+    node = new FunctionTextNode(
+      model,
+      f,
+      f.calls.map((callee) => functionNode(model, callee)),
+    );
+    functionNodes.set(f, node);
+  }
+  return node;
+}
+
+class ModelCallNode extends Node {
+  static get type(): string {
+    return 'ModelCallNode';
+  }
+
+  private readonly callee: FunctionTextNode;
+  private readonly args: readonly { readonly node: Node; readonly type: string }[];
+
+  constructor(callee: FunctionTextNode, type: string, args: readonly { node: Node; type: string }[]) {
+    super(type as never);
+    this.callee = callee;
+    this.args = args;
+  }
+
+  override generate(builder: NodeBuilder, output?: string | null): string {
+    (this.callee as Node).build(builder, 'void');
+    const args = this.args.map(({ node, type }) => node.build(builder, type) as string);
+    const call = `${this.callee.functionName(builder)}( ${args.join(', ')} )`;
+    const { format } = builder as unknown as BuilderFormat;
+    return format.call(builder, call, this.getNodeType(builder) as string, output ?? '');
+  }
+}
+
+function createCall(
+  model: Model,
+  name: string,
+  parameters: ParameterNodes,
+  argTypes: readonly string[],
+): (...args: Node[]) => Node {
+  const f = findFunction(model, name);
+  if (!f)
+    throw new RangeError(`${model.name} has no function ${name}(); its terms are ${model.terms.join(', ')}`);
+  const callee = functionNode(model, f);
+  const uses = f.uses.map((variable) => {
+    const node = parameters[variable.name];
+    if (!node) throw new RangeError(`${model.name}: no node was given for parameter ${variable.name}`);
+    return { node, type: variable.type.name };
+  });
+  return (...args) =>
+    new ModelCallNode(callee, f.result.name, [
+      ...args.map((node, i) => ({ node, type: argTypes[i] as string })),
+      ...uses,
+    ]);
+}
+
+const DIRECTIONS = ['vec3', 'vec3', 'vec3', 'vec3', 'vec3'];
+
+export type BrdfCall = (
+  L: Vector3Node,
+  V: Vector3Node,
+  N: Vector3Node,
+  X: Vector3Node,
+  Y: Vector3Node,
+) => Vector3Node;
+export type SamplerCall = (
+  u: Vector2Node,
+  V: Vector3Node,
+  N: Vector3Node,
+  X: Vector3Node,
+  Y: Vector3Node,
+) => Vector3Node;
+export type PdfCall = (...directions: Parameters<BrdfCall>) => FloatNode;
+
+/**
+ * BRDF() or a term of a model as a TSL function; its value is in 1/sr, without the cosine.
+ *
+ * @param name the term
+ * @param parameters a node for each parameter that the term reads
+ * @throws RangeError if there is no such term, or no node for a parameter
+ */
+export function modelFunction(model: Model, name: string, parameters: ParameterNodes): BrdfCall {
+  return createCall(model, name, parameters, DIRECTIONS) as unknown as BrdfCall;
+}
+
+/** sampleL() of a model's sampling section as a TSL function; vec3(0) where it gives no direction. */
+export function modelSampler(model: Model, parameters: ParameterNodes): SamplerCall {
+  return createCall(model, 'sampleL', parameters, ['vec2', ...DIRECTIONS.slice(1)]) as unknown as SamplerCall;
+}
+
+/** pdf() of a model's sampling section as a TSL function, in 1/sr. */
+export function modelPdf(model: Model, parameters: ParameterNodes): PdfCall {
+  return createCall(model, 'pdf', parameters, DIRECTIONS) as unknown as PdfCall;
+}
