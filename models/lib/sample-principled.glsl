@@ -54,7 +54,7 @@ vec3 sampleL(vec2 u, vec3 V, vec3 N, vec3 X, vec3 Y) {
     if (v.z < HORIZON) return vec3(0.0);
     vec3 l = samplePrincipled(u, v, lobeWeights(v.z),
         principledAlpha(roughness, anisotropic), clearcoatAlpha(clearcoatGloss));
-    return l.z < HORIZON ? vec3(0.0) : fromFrame(l, N, X, Y);
+    return sampledDirection(l, N, X, Y);
 }
 
 float pdf(vec3 L, vec3 V, vec3 N, vec3 X, vec3 Y) {
