@@ -1,0 +1,112 @@
+/** The colour picker: saturation and value square, hue strip, and the three linear numbers. */
+import { fromHsv, type Rgb, toHsv, toLinear, toSrgb } from './color.ts';
+import { h } from './dom.ts';
+import { type Gesture, newGesture } from './gesture.ts';
+import { numberField } from './number-field.ts';
+import { openPopup } from './popup.ts';
+
+export interface ColorPopupOptions {
+  anchor: HTMLElement;
+  label: string;
+  max?: number | undefined;
+  value: Rgb;
+  onChange(linear: Rgb, gesture: Gesture): void;
+  onClose(): void;
+}
+
+const CHANNELS = ['R', 'G', 'B'] as const;
+
+export function openColorPopup(options: ColorPopupOptions): { show(linear: Rgb): void } {
+  let linear = options.value;
+  let hsv = toHsv(toSrgb(linear));
+  let picking = false;
+
+  const squareHandle = h('div', { class: 'handle' });
+  const square = h(
+    'div',
+    { class: 'color-square', role: 'slider', 'aria-label': `${options.label}: saturation and value` },
+    squareHandle,
+  );
+  const hueHandle = h('div', { class: 'handle' });
+  const hue = h(
+    'div',
+    { class: 'color-hue', role: 'slider', 'aria-label': `${options.label}: hue` },
+    hueHandle,
+  );
+  const numbers = CHANNELS.map((channel, i) =>
+    numberField({
+      label: `${options.label}, linear ${channel}`,
+      min: 0,
+      max: options.max,
+      step: 0.01,
+      onChange: (value, gesture) => {
+        const next: [number, number, number] = [linear[0], linear[1], linear[2]];
+        next[i] = value;
+        options.onChange(next, gesture);
+      },
+    }),
+  );
+
+  const paint = () => {
+    const [r, g, b] = fromHsv([hsv[0], 1, 1]).map((c) => Math.round(c * 255));
+    square.style.backgroundColor = `rgb(${r} ${g} ${b})`;
+    squareHandle.style.left = `${Math.min(1, hsv[1]) * 100}%`;
+    squareHandle.style.top = `${(1 - Math.min(1, hsv[2])) * 100}%`;
+    hueHandle.style.left = `${(hsv[0] / 360) * 100}%`;
+    numbers.forEach((field, i) => {
+      field.show(linear[i] ?? 0);
+    });
+  };
+  const show = (next: Rgb) => {
+    linear = next;
+    if (!picking) {
+      const fresh = toHsv(toSrgb(next));
+      // A grey has no hue and black no saturation: keep what the person had chosen.
+      hsv = [fresh[1] > 0 ? fresh[0] : hsv[0], fresh[2] > 0 ? fresh[1] : hsv[1], fresh[2]];
+    }
+    paint();
+  };
+  const drag = (area: HTMLElement, pick: (x: number, y: number) => Rgb) => {
+    area.addEventListener('pointerdown', (down) => {
+      down.preventDefault();
+      area.setPointerCapture(down.pointerId);
+      const gesture = newGesture();
+      const move = (event: PointerEvent) => {
+        const box = area.getBoundingClientRect();
+        const x = Math.min(1, Math.max(0, (event.clientX - box.left) / box.width));
+        const y = Math.min(1, Math.max(0, (event.clientY - box.top) / box.height));
+        hsv = pick(x, y);
+        picking = true;
+        options.onChange(toLinear(fromHsv(hsv)), gesture);
+        picking = false;
+      };
+      const end = () => {
+        area.removeEventListener('pointermove', move);
+        area.removeEventListener('pointerup', end);
+        area.removeEventListener('pointercancel', end);
+      };
+      area.addEventListener('pointermove', move);
+      area.addEventListener('pointerup', end);
+      area.addEventListener('pointercancel', end);
+      move(down);
+    });
+  };
+  drag(square, (x, y) => [hsv[0], x, 1 - y]);
+  drag(hue, (x) => [Math.min(359.99, x * 360), hsv[1], hsv[2]]);
+
+  const content = h(
+    'div',
+    { class: 'color-popup' },
+    square,
+    hue,
+    h(
+      'div',
+      { class: 'color-numbers' },
+      ...numbers.map((field, i) => h('label', {}, h('span', {}, CHANNELS[i] ?? ''), field.element)),
+    ),
+    h('p', { class: 'hint' }, 'Linear Rec. 709, as the BRDF sees it'),
+  );
+  openPopup({ anchor: options.anchor, content, label: options.label, onClose: options.onClose });
+  paint();
+  return { show };
+}

@@ -1,0 +1,69 @@
+/** Messages that say what happened and what to do, and progress of what takes time. */
+import { h } from './dom.ts';
+import { icon } from './icons.ts';
+
+export type ToastKind = 'info' | 'success' | 'error';
+
+export interface Progress {
+  /** `fraction` 0..1, or null when the total is not known. */
+  update(text: string, fraction: number | null): void;
+  done(): void;
+}
+
+const LIFE_MS: Record<ToastKind, number> = { info: 4000, success: 3000, error: 0 };
+const MOST = 4;
+
+let stack: HTMLElement | null = null;
+
+function host(): HTMLElement {
+  stack ??= document.body.appendChild(h('div', { class: 'toasts', role: 'status', 'aria-live': 'polite' }));
+  return stack;
+}
+
+/** An error stays until it is closed: it may have to be read, or copied. */
+export function toast(kind: ToastKind, title: string, detail?: string): void {
+  const same = [...host().children].find(
+    (other) => other instanceof HTMLElement && other.dataset.text === title + (detail ?? ''),
+  );
+  same?.remove();
+  const close = h(
+    'button',
+    { type: 'button', class: 'icon-button', 'aria-label': 'Close this message' },
+    icon('close'),
+  );
+  const element = h(
+    'div',
+    { class: `toast ${kind}`, ...(kind === 'error' && { role: 'alert' }) },
+    icon(kind === 'error' ? 'warning' : kind === 'success' ? 'check' : 'info'),
+    h('div', { class: 'toast-text' }, h('strong', {}, title), detail ? h('p', {}, detail) : null),
+    close,
+  );
+  element.dataset.text = title + (detail ?? '');
+  close.addEventListener('click', () => element.remove());
+  host().append(element);
+  while (host().children.length > MOST) host().firstElementChild?.remove();
+  if (LIFE_MS[kind] > 0) window.setTimeout(() => element.remove(), LIFE_MS[kind]);
+}
+
+export function toastError(title: string, error: unknown): void {
+  toast('error', title, messageOf(error));
+}
+
+export function messageOf(error: unknown): string {
+  return error instanceof Error ? error.message : String(error);
+}
+
+export function startProgress(text: string): Progress {
+  const label = h('strong', {}, text);
+  const bar = h('div', { class: 'bar' }, h('div', { class: 'bar-fill' }));
+  const element = h('div', { class: 'toast progress' }, h('div', { class: 'toast-text' }, label, bar));
+  host().append(element);
+  return {
+    update(next, fraction) {
+      label.textContent = next;
+      bar.classList.toggle('unknown', fraction === null);
+      bar.style.setProperty('--fraction', `${(fraction ?? 0) * 100}%`);
+    },
+    done: () => element.remove(),
+  };
+}
