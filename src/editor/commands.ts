@@ -1,0 +1,49 @@
+/** What the page's menus, keys and rows do to whatever is selected, whichever kind it is. */
+import { duplicate, removeLight, removeObjects, rename, setField } from '../scene/commands.ts';
+import { removeMaterial } from '../scene/material-commands.ts';
+import type { DocumentStore } from '../scene/store.ts';
+import type { EditorStateStore, EntityKind } from './state.ts';
+import { toastError } from './ui/toast.ts';
+
+/** Runs an edit; one that the document refuses changes nothing and says why. */
+export function attempt<T>(what: string, run: () => T): T | undefined {
+  try {
+    return run();
+  } catch (error) {
+    toastError(what, error);
+    return undefined;
+  }
+}
+
+export function renameEntity(store: DocumentStore, kind: EntityKind, id: string, name: string): void {
+  if (store.document[kind][id]?.name !== name) attempt('Not renamed', () => rename(store, kind, id, name));
+}
+
+export function setVisible(
+  store: DocumentStore,
+  kind: 'lights' | 'objects',
+  id: string,
+  visible: boolean,
+): void {
+  const name = store.document[kind][id]?.name ?? id;
+  setField(store, [kind, id, 'visible'], visible, `${visible ? 'Show' : 'Hide'} ${name}`);
+  store.endMerge();
+}
+
+export function deleteSelected(store: DocumentStore, state: EditorStateStore): void {
+  const { selection } = state.value;
+  if (!selection) return;
+  const { kind, id } = selection;
+  attempt('Not deleted', () => {
+    if (kind === 'lights') removeLight(store, id);
+    else if (kind === 'objects') removeObjects(store, [id]);
+    else removeMaterial(store, id);
+  });
+}
+
+export function duplicateSelected(store: DocumentStore, state: EditorStateStore): void {
+  const { selection } = state.value;
+  if (!selection) return;
+  const copy = attempt('Not duplicated', () => duplicate(store, selection.kind, selection.id));
+  if (copy) state.select({ kind: selection.kind, id: copy });
+}

@@ -1,0 +1,32 @@
+/** Dropping files anywhere on the page; while they hover, the viewport says what it takes. */
+import { h } from '../ui/dom.ts';
+
+export function installDrop(viewport: HTMLElement, onFiles: (files: File[]) => void): void {
+  const target = h(
+    'div',
+    { class: 'drop-target', hidden: true },
+    h('strong', {}, 'Drop to open'),
+    h('p', {}, 'Scene .json · model .glb .gltf · BRDF .brdf · environment .hdr .exr'),
+  );
+  viewport.append(target);
+  const hasFiles = (event: DragEvent) => event.dataTransfer?.types.includes('Files') ?? false;
+
+  window.addEventListener('dragover', (event) => {
+    if (!hasFiles(event)) return;
+    event.preventDefault();
+    target.hidden = false;
+  });
+  window.addEventListener('dragleave', (event) => {
+    if (event.relatedTarget === null) target.hidden = true;
+  });
+  // A texture slot keeps its own drop to itself and says so with this event.
+  window.addEventListener('dragend', () => {
+    target.hidden = true;
+  });
+  window.addEventListener('drop', (event) => {
+    target.hidden = true;
+    if (!hasFiles(event)) return;
+    event.preventDefault();
+    onFiles([...(event.dataTransfer?.files ?? [])]);
+  });
+}

@@ -1,0 +1,110 @@
+/**
+ * Files into the scene, whichever way they come: dropped, opened, or handed over by the server.
+ * What cannot be read changes nothing and says what is wrong with it.
+ */
+import { putAsset } from '../../scene/commands.ts';
+import { parseDocument } from '../../scene/document.ts';
+import { addModel, setMaterialModel } from '../../scene/material-commands.ts';
+import type { Document } from '../../scene/schema.ts';
+import type { DocumentStore } from '../../scene/store.ts';
+import type { EditorStateStore } from '../state.ts';
+import { startProgress, toast, toastError } from '../ui/toast.ts';
+import { fileKind, readAsset } from './files.ts';
+
+export interface OpenContext {
+  readonly store: DocumentStore;
+  readonly state: EditorStateStore;
+  /** Replaces the scene, unless the person would lose work and decides against it. */
+  replaceDocument(document: Document): Promise<boolean>;
+}
+
+export async function openFiles(context: OpenContext, files: readonly File[]): Promise<void> {
+  const main = files.filter((file) => fileKind(file.name) !== 'unknown');
+  const models = main.filter((file) => fileKind(file.name) === 'gltf');
+  // The images and buffers that come with a .gltf are its parts, not files to open.
+  const parts = models.some((file) => /\.gltf$/i.test(file.name));
+  const toOpen = parts ? main.filter((file) => !['image'].includes(fileKind(file.name))) : main;
+  if (toOpen.length === 0 && files[0]) {
+    toast('error', `${files[0].name}: not a kind of file that Irradia opens`, FORMATS);
+  }
+  for (const file of toOpen) await openFile(context, file, files);
+}
+
+const FORMATS =
+  'It opens scenes (.json), models (.glb, .gltf), BRDFs (.brdf), environments (.hdr, .exr) and images.';
+
+async function openFile(context: OpenContext, file: File, all: readonly File[]): Promise<void> {
+  const progress = startProgress(`Reading ${file.name}`);
+  progress.update(`Reading ${file.name}`, null);
+  try {
+    switch (fileKind(file.name)) {
+      case 'document':
+        await openDocument(context, file);
+        break;
+      case 'gltf':
+        await openGltf(context, file, all, (text, fraction) => progress.update(text, fraction));
+        break;
+      case 'brdf':
+        await openBrdf(context, file);
+        break;
+      case 'environment':
+        await openEnvironment(context, file);
+        break;
+      case 'image':
+        toast(
+          'info',
+          `${file.name}: where should this image go?`,
+          'Drop it on the square beside a value of a material.',
+        );
+        break;
+      case 'unknown':
+        break;
+    }
+  } catch (error) {
+    toastError(`${file.name} was not opened; the scene is unchanged`, error);
+  } finally {
+    progress.done();
+  }
+}
+
+async function openDocument({ replaceDocument }: OpenContext, file: File): Promise<void> {
+  const document = parseDocument(await file.text(), file.name);
+  if (await replaceDocument(document)) toast('success', `Opened ${document.name}`);
+}
+
+/** The model goes to the selected material, or to the first one there is. */
+async function openBrdf({ store, state }: OpenContext, file: File): Promise<void> {
+  const source = await file.text();
+  const { selection } = state.value;
+  const object = selection?.kind === 'objects' ? store.document.objects[selection.id] : undefined;
+  const material =
+    selection?.kind === 'materials'
+      ? selection.id
+      : (object?.material ?? Object.keys(store.document.materials)[0]);
+  const name = addModel(store, file.name, source);
+  if (material === undefined) {
+    toast('success', `Added the model ${name}`, 'Choose it as the model of a material.');
+    return;
+  }
+  setMaterialModel(store, material, name);
+  if (!object) state.select({ kind: 'materials', id: material });
+  toast('success', `${store.document.materials[material]?.name} is now ${name}`);
+}
+
+async function openEnvironment({ store }: OpenContext, file: File): Promise<void> {
+  const asset = await readAsset(file);
+  store.edit(`Environment ${file.name}`, (draft) => {
+    const id = putAsset(draft, asset.name, asset.mediaType, asset.data);
+    draft.environment.source = { type: 'hdr', asset: id };
+  });
+  toast('success', `${file.name} lights the scene`);
+}
+
+async function openGltf(
+  _context: OpenContext,
+  _file: File,
+  _all: readonly File[],
+  _onProgress: (text: string, fraction: number | null) => void,
+): Promise<void> {
+  throw new Error('glTF is not there yet');
+}

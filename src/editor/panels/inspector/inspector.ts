@@ -1,0 +1,90 @@
+/**
+ * The inspector shows the fields of what is selected. It is built anew only when other fields are
+ * needed; otherwise every field is updated in place, so that a slider survives its own drag.
+ */
+import type { Document } from '../../../scene/schema.ts';
+import { renameEntity } from '../../commands.ts';
+import type { Session } from '../../session.ts';
+import type { Selection } from '../../state.ts';
+import { h } from '../../ui/dom.ts';
+import { textField } from '../../ui/fields.ts';
+import { tryEdit } from './cell.ts';
+import { lightPanel } from './light.ts';
+import { materialPanel, materialStructure } from './material.ts';
+import { objectPanel, objectStructure } from './object.ts';
+import type { InspectorPanel } from './panel.ts';
+import { scenePanel, sceneStructure } from './scene.ts';
+
+export function createInspector(session: Session): HTMLElement {
+  const { store, state } = session;
+  const kind = h('span', { class: 'inspector-kind' });
+  const name = textField('Name', (value) => {
+    const { selection } = state.value;
+    if (selection) renameEntity(store, selection.kind, selection.id, value);
+    else {
+      tryEdit(store, 'Rename the scene', (draft) => {
+        draft.name = value;
+      });
+    }
+  });
+  const body = h('div', { class: 'inspector-body' });
+  const element = h(
+    'aside',
+    { class: 'inspector', 'aria-label': 'Inspector' },
+    h('header', { class: 'inspector-header' }, kind, name.element),
+    body,
+  );
+
+  let panel: InspectorPanel | null = null;
+  let structure = '';
+  const update = () => {
+    const { document } = store;
+    const { selection } = state.value;
+    const next = structureOf(document, selection);
+    if (next !== structure || !panel) {
+      const sameThing = structure.split(' ', 2).join() === next.split(' ', 2).join();
+      const scroll = sameThing ? body.scrollTop : 0;
+      structure = next;
+      panel = panelFor(session, selection);
+      body.replaceChildren(panel.element);
+      body.scrollTop = scroll;
+    }
+    kind.textContent = selection ? kindName(document, selection) : 'Scene';
+    name.show(selection ? (document[selection.kind][selection.id]?.name ?? '') : document.name);
+    panel.update();
+  };
+  store.subscribe(() => {
+    state.forget(store.document);
+    update();
+  });
+  state.subscribe((now, before) => {
+    if (now.selection !== before.selection || now.units !== before.units) update();
+  });
+  update();
+  return element;
+}
+
+function structureOf(document: Document, selection: Selection): string {
+  if (!selection) return `scene ${sceneStructure(document)}`;
+  const { kind, id } = selection;
+  if (kind === 'objects') return `objects ${objectStructure(document, id)}`;
+  if (kind === 'materials') return `materials ${materialStructure(document, id)}`;
+  return `lights ${id} ${document.lights[id]?.type}`;
+}
+
+function panelFor(session: Session, selection: Selection): InspectorPanel {
+  if (!selection) return scenePanel(session);
+  switch (selection.kind) {
+    case 'lights':
+      return lightPanel(session, selection.id);
+    case 'objects':
+      return objectPanel(session, selection.id);
+    case 'materials':
+      return materialPanel(session, selection.id);
+  }
+}
+
+function kindName(document: Document, { kind, id }: NonNullable<Selection>): string {
+  if (kind === 'lights') return `${document.lights[id]?.type ?? ''} light`;
+  return kind === 'objects' ? (document.objects[id]?.geometry.type ?? 'object') : 'material';
+}

@@ -1,0 +1,92 @@
+/** A light: every field of its schema, its brightness in the unit that the person prefers. */
+
+import { setLightType } from '../../../scene/commands.ts';
+import type { FieldInfo } from '../../../scene/fields.ts';
+import { type LightType, lightDefaults, lightShapes, lightTypes } from '../../../scene/light-schema.ts';
+import { attempt } from '../../commands.ts';
+import type { Session } from '../../session.ts';
+import { h } from '../../ui/dom.ts';
+import { row, selectField, switchField } from '../../ui/fields.ts';
+import { section } from '../../ui/section.ts';
+import { sliderField } from '../../ui/slider-field.ts';
+import { type Cell, pathCell } from './cell.ts';
+import { type Bound, choiceLabel, labelOf, shapeFields } from './field.ts';
+import type { InspectorPanel } from './panel.ts';
+import { photometricRow, photometricUnits } from './photometric.ts';
+
+export function lightPanel(session: Session, id: string): InspectorPanel {
+  const { store, state } = session;
+  const light = store.document.lights[id];
+  const bound: Bound[] = [];
+  if (light) {
+    bound.push(typeChoice(session, id));
+    bound.push(
+      ...shapeFields(lightShapes[light.type], {
+        cell: (name, label) => pathCell(store, ['lights', id, name], `Change ${label.toLowerCase()}`),
+        defaults: { ...lightDefaults[light.type] },
+        skip: ['name'],
+        custom(name, info, cell) {
+          if (photometricUnits(light.type, name)) return photometricRow(session, id, name, info, cell);
+          return info.unit === 'K' && info.nullable ? temperatureRow(labelOf(name), info, cell) : undefined;
+        },
+      }),
+    );
+  }
+  const title = 'Light';
+  return {
+    element: h(
+      'div',
+      {},
+      section(
+        title,
+        state.value.folded.includes(title),
+        (folded) => state.fold(title, folded),
+        ...bound.map((field) => field.element),
+      ),
+    ),
+    update() {
+      for (const field of bound) field.update();
+    },
+  };
+}
+
+function typeChoice({ store }: Session, id: string): Bound {
+  const choices = lightTypes.map((value) => ({ value, label: choiceLabel(value) }));
+  const field = selectField('Type', choices, (value) => {
+    attempt('The type stays as it was', () => setLightType(store, id, value as LightType));
+  });
+  return {
+    element: row({ label: 'Type', tip: 'Another type of light in the same place' }, field.element),
+    update: () => field.show(store.document.lights[id]?.type ?? ''),
+  };
+}
+
+/** About the white of daylight: where a temperature starts when it is switched on. */
+const FIRST_TEMPERATURE = 6500;
+
+/** A number that may be switched off. */
+function temperatureRow(label: string, info: FieldInfo, cell: Cell): Bound {
+  const [min, max] = info.slider ?? [info.min ?? 0, info.max ?? 1];
+  const toggle = switchField(`${label} on`, (on) => cell.set(on ? FIRST_TEMPERATURE : null));
+  const slider = sliderField({
+    label,
+    min,
+    max,
+    hardMin: info.min,
+    hardMax: info.max,
+    unit: info.unit,
+    onChange: (value, gesture) => cell.set(value, gesture),
+  });
+  return {
+    element: row(
+      { label, tip: info.description, onReset: () => cell.set(null) },
+      h('div', { class: 'switched' }, toggle.element, slider.element),
+    ),
+    update() {
+      const value = cell.get();
+      toggle.show(typeof value === 'number');
+      slider.element.inert = typeof value !== 'number';
+      slider.show(typeof value === 'number' ? value : FIRST_TEMPERATURE);
+    },
+  };
+}

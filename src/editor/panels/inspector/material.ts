@@ -1,0 +1,156 @@
+/**
+ * A material: the model and its parameters. The rows of parameters are made from the model's own
+ * table; no name of a parameter appears here.
+ */
+import type { Parameter, Rgb } from '../../../brdf/model.ts';
+import { setMaterialModel } from '../../../scene/material-commands.ts';
+import { materialDefaults, materialShape } from '../../../scene/material-schema.ts';
+import { findModel, modelNames } from '../../../scene/models.ts';
+import type { Document } from '../../../scene/schema.ts';
+import { attempt } from '../../commands.ts';
+import type { Session } from '../../session.ts';
+import { colorField } from '../../ui/color-field.ts';
+import { h } from '../../ui/dom.ts';
+import { row, selectField, switchField } from '../../ui/fields.ts';
+import { section } from '../../ui/section.ts';
+import { sliderField } from '../../ui/slider-field.ts';
+import { type Cell, pathCell } from './cell.ts';
+import { type Bound, labelOf, shapeFields } from './field.ts';
+import { mapRows } from './maps.ts';
+import type { InspectorPanel } from './panel.ts';
+import { textureSlot } from './texture-slot.ts';
+
+/** The panel has to be made anew when this changes. */
+export function materialStructure(document: Document, id: string): string {
+  const material = document.materials[id];
+  return material ? `${id} ${material.model} ${document.models[material.model]?.source.length ?? ''}` : '';
+}
+
+export function materialPanel(session: Session, id: string): InspectorPanel {
+  const { store, state } = session;
+  const material = store.document.materials[id];
+  const model = material && findModel(store.document, material.model);
+  const cellOf = (name: string, label: string) =>
+    pathCell(store, ['materials', id, name], `Change ${label.toLowerCase()}`);
+  const bound: Bound[] = [];
+
+  const choice = modelChoice(session, id);
+  bound.push(choice);
+  const parameters = (model?.parameters ?? []).map((parameter) => parameterRow(session, id, parameter));
+  bound.push(...parameters);
+
+  const maps = mapRows(session, id);
+  const surface = shapeFields(materialShape, {
+    cell: cellOf,
+    defaults: materialDefaults,
+    skip: ['name', 'model'],
+  });
+  bound.push(...maps, ...surface);
+
+  const manual = h('p', { class: 'hint model-title' }, model?.file.title ?? '');
+  const fold = (title: string, ...children: Node[]) =>
+    section(title, state.value.folded.includes(title), (folded) => state.fold(title, folded), ...children);
+  return {
+    element: h(
+      'div',
+      {},
+      fold('Material', choice.element, manual, ...parameters.map((field) => field.element)),
+      fold(
+        'Maps and transparency',
+        ...maps.map((field) => field.element),
+        ...surface.map((field) => field.element),
+      ),
+    ),
+    update() {
+      for (const field of bound) field.update();
+    },
+  };
+}
+
+function modelChoice(session: Session, id: string): Bound {
+  const { store } = session;
+  const field = selectField('Model', [], (name) => {
+    attempt('The model stays as it was', () => setMaterialModel(store, id, name));
+  });
+  return {
+    element: row(
+      { label: 'Model', tip: 'The BRDF: a shipped one, or a .brdf file dropped on the page' },
+      field.element,
+    ),
+    update() {
+      const { document } = store;
+      field.setChoices(
+        modelNames(document).map((name) => ({
+          value: name,
+          label: name,
+          group: Object.hasOwn(document.models, name) ? 'In this scene' : 'Shipped',
+        })),
+      );
+      field.show(document.materials[id]?.model ?? '');
+    },
+  };
+}
+
+function parameterRow(session: Session, id: string, parameter: Parameter): Bound {
+  const { store } = session;
+  const label = labelOf(parameter.name);
+  const cell = pathCell(
+    store,
+    ['materials', id, 'parameters', parameter.name],
+    `Change ${label.toLowerCase()}`,
+  );
+  const control = parameterControl(parameter, label, cell);
+  const slot = parameter.type === 'bool' ? null : textureSlot(session, id, { parameter });
+  const element = row(
+    {
+      label,
+      tip: parameterTip(parameter),
+      onReset: () => cell.set(undefined),
+      after: slot?.element ?? null,
+    },
+    control.element,
+  );
+  element.dataset.parameter = parameter.name;
+  return {
+    element,
+    update() {
+      control.update();
+      slot?.update();
+      element.classList.toggle('changed', cell.get() !== undefined);
+    },
+  };
+}
+
+function parameterControl(parameter: Parameter, label: string, cell: Cell): Bound {
+  switch (parameter.type) {
+    case 'float': {
+      const { min, max } = parameter;
+      const field = sliderField({ label, min, max, onChange: (value, gesture) => cell.set(value, gesture) });
+      return {
+        element: field.element,
+        update: () => field.show((cell.get() as number | undefined) ?? parameter.default),
+      };
+    }
+    case 'color': {
+      const field = colorField({ label, onChange: (value, gesture) => cell.set([...value], gesture) });
+      return {
+        element: field.element,
+        update: () => field.show((cell.get() as Rgb | undefined) ?? parameter.default),
+      };
+    }
+    case 'bool': {
+      const field = switchField(label, (value) => cell.set(value));
+      return {
+        element: field.element,
+        update: () => field.show((cell.get() as boolean | undefined) ?? parameter.default),
+      };
+    }
+  }
+}
+
+function parameterTip(parameter: Parameter): string {
+  const range = parameter.type === 'float' ? `${parameter.min} to ${parameter.max}` : '';
+  const about = [parameter.description, range && `Range ${range}`].filter(Boolean).join('\n');
+  const value = Array.isArray(parameter.default) ? parameter.default.join(' ') : String(parameter.default);
+  return `${about}${about ? '\n' : ''}Double click: default (${value})`;
+}

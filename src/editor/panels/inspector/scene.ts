@@ -1,0 +1,154 @@
+/** The scene itself: view, camera, environment, background. */
+
+import { putAsset } from '../../../scene/commands.ts';
+import { type EnvironmentPreset, environmentPresets } from '../../../scene/presets.ts';
+import type { Background, Document, EnvironmentSource } from '../../../scene/schema.ts';
+import {
+  backgroundDefault,
+  backgroundShapes,
+  cameraDefaults,
+  cameraShape,
+  environmentDefaults,
+  environmentShape,
+  environmentSourceShapes,
+  viewDefaults,
+  viewShape,
+} from '../../../scene/stage-schema.ts';
+import { ENVIRONMENT_ACCEPT, isEnvironmentAsset, readAsset } from '../../io/files.ts';
+import type { Session } from '../../session.ts';
+import { h } from '../../ui/dom.ts';
+import { row, selectField } from '../../ui/fields.ts';
+import { section } from '../../ui/section.ts';
+import { toastError } from '../../ui/toast.ts';
+import { pathCell, tryEdit } from './cell.ts';
+import { type Bound, choiceLabel, shapeFields } from './field.ts';
+import type { InspectorPanel } from './panel.ts';
+
+export function sceneStructure(document: Document): string {
+  return `${document.environment.source.type} ${document.background.type}`;
+}
+
+export function scenePanel(session: Session): InspectorPanel {
+  const { store, state } = session;
+  const bound: Bound[] = [];
+  const part = (
+    name: string,
+    shape: Readonly<Record<string, unknown>>,
+    defaults?: object,
+    skip: string[] = [],
+  ) => {
+    const fields = shapeFields(shape, {
+      cell: (field, label) => pathCell(store, [...name.split('.'), field], `Change ${label.toLowerCase()}`),
+      defaults: { ...defaults },
+      skip,
+    });
+    bound.push(...fields);
+    return fields.map((field) => field.element);
+  };
+  const single = (field: Bound) => {
+    bound.push(field);
+    return field.element;
+  };
+  const fold = (title: string, ...children: Node[]) =>
+    section(title, state.value.folded.includes(title), (folded) => state.fold(title, folded), ...children);
+
+  const { source } = store.document.environment;
+  const background = store.document.background;
+  const lit = source.type !== 'none';
+  const { near, far, ...pose } = cameraShape;
+  return {
+    element: h(
+      'div',
+      {},
+      fold('View', ...part('view', viewShape, viewDefaults)),
+      fold(
+        'Environment',
+        single(environmentChoice(session)),
+        ...part('environment.source', environmentSourceShapes[source.type], undefined, ['name']),
+        ...(lit ? part('environment', environmentShape, environmentDefaults) : []),
+      ),
+      fold(
+        'Background',
+        single(backgroundChoice(session)),
+        ...part(
+          'background',
+          backgroundShapes[background.type],
+          background.type === 'color' ? backgroundDefault : { blur: 0 },
+        ),
+      ),
+      fold('Camera', ...part('camera', pose, cameraDefaults)),
+      fold('Near and far', ...part('camera', { near, far }, cameraDefaults)),
+    ),
+    update() {
+      for (const field of bound) field.update();
+    },
+  };
+}
+
+const OPEN_FILE = 'open';
+
+/** One list of everything that can light the scene from all around. */
+function environmentChoice(session: Session): Bound {
+  const { store } = session;
+  const set = (source: EnvironmentSource) =>
+    tryEdit(store, 'Change environment', (draft) => {
+      draft.environment.source = source;
+    });
+  const open = async () => {
+    const [file] = await session.chooseFiles(ENVIRONMENT_ACCEPT);
+    if (!file) return;
+    try {
+      const asset = await readAsset(file);
+      tryEdit(store, 'Change environment', (draft) => {
+        const id = putAsset(draft, asset.name, asset.mediaType, asset.data);
+        draft.environment.source = { type: 'hdr', asset: id };
+      });
+    } catch (error) {
+      toastError(`${file.name} could not be read`, error);
+    }
+  };
+  const field = selectField('Environment', [], (value) => {
+    const [type, name = ''] = value.split(':');
+    if (type === OPEN_FILE) {
+      update();
+      void open();
+    } else if (type === 'preset') set({ type, name: name as EnvironmentPreset });
+    else if (type === 'hdr') set({ type, asset: name });
+    else if (type === 'constant') set({ type, color: [1, 1, 1] });
+    else set({ type: 'none' });
+  });
+  const update = () => {
+    const { document } = store;
+    const files = Object.entries(document.assets).filter(([, asset]) => isEnvironmentAsset(asset));
+    field.setChoices([
+      { value: 'none', label: 'None' },
+      { value: 'constant', label: 'Constant' },
+      ...files.map(([id, asset]) => ({ value: `hdr:${id}`, label: asset.name, group: 'In this scene' })),
+      ...environmentPresets.map((name) => ({
+        value: `preset:${name}`,
+        label: choiceLabel(name),
+        group: 'Shipped',
+      })),
+      { value: OPEN_FILE, label: 'Open HDR or EXR…' },
+    ]);
+    const { source } = document.environment;
+    const name = source.type === 'hdr' ? source.asset : source.type === 'preset' ? source.name : null;
+    field.show(name === null ? source.type : `${source.type}:${name}`);
+  };
+  return { element: row({ label: 'Source', tip: 'Light from all around' }, field.element), update };
+}
+
+function backgroundChoice({ store }: Session): Bound {
+  const choices = Object.keys(backgroundShapes).map((value) => ({ value, label: choiceLabel(value) }));
+  const field = selectField('Background', choices, (value) => {
+    const next: Background =
+      value === 'environment' ? { type: 'environment', blur: 0 } : structuredClone(backgroundDefault);
+    tryEdit(store, 'Change background', (draft) => {
+      draft.background = next;
+    });
+  });
+  return {
+    element: row({ label: 'Shows', tip: 'What is seen behind the objects' }, field.element),
+    update: () => field.show(store.document.background.type),
+  };
+}

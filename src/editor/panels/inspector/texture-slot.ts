@@ -1,0 +1,163 @@
+/**
+ * The small square beside a value where its texture goes: empty, or a thumbnail. A click chooses
+ * an image or shows how it is laid on; an image may be dropped on it.
+ */
+import type { Parameter } from '../../../brdf/model.ts';
+import { putAsset } from '../../../scene/commands.ts';
+import {
+  type MaterialMap,
+  scaledTextureShape,
+  type TextureRef,
+  textureRef,
+} from '../../../scene/material-schema.ts';
+import type { Document, Material } from '../../../scene/schema.ts';
+import { assetUrl, IMAGE_ACCEPT, isImageFile, readAsset } from '../../io/files.ts';
+import type { Session } from '../../session.ts';
+import { h } from '../../ui/dom.ts';
+import { icon } from '../../ui/icons.ts';
+import { openPopup } from '../../ui/popup.ts';
+import { toast, toastError } from '../../ui/toast.ts';
+import { pathCell, tryEdit } from './cell.ts';
+import { type Bound, labelOf, shapeFields } from './field.ts';
+
+export type SlotPlace = { parameter: Parameter } | { map: MaterialMap };
+
+export function textureSlot(session: Session, id: string, place: SlotPlace): Bound {
+  const { store } = session;
+  const label = labelOf('map' in place ? place.map : place.parameter.name);
+  const button = h(
+    'button',
+    { type: 'button', class: 'texture-slot', 'aria-label': `Texture of ${label}` },
+    icon('imageAdd'),
+  );
+
+  const current = (): TextureRef | null => readSlot(store.document.materials[id], place);
+  const put = async (file: File) => {
+    try {
+      const asset = await readAsset(file);
+      tryEdit(store, `Texture of ${label.toLowerCase()}`, (draft) => {
+        const target = draft.materials[id];
+        if (!target) return;
+        const assetId = putAsset(draft, asset.name, asset.mediaType, asset.data);
+        writeSlot(target, place, {
+          ...(current() ?? textureRef(assetId, guess(place))),
+          asset: assetId,
+          texture: null,
+        });
+      });
+    } catch (error) {
+      toastError(`${file.name} could not be read`, error);
+    }
+  };
+  const choose = async () => {
+    const [file] = await session.chooseFiles(IMAGE_ACCEPT);
+    if (file) await put(file);
+  };
+  const clear = () =>
+    tryEdit(store, `Remove texture of ${label.toLowerCase()}`, (draft) => {
+      const target = draft.materials[id];
+      if (target) writeSlot(target, place, null);
+    });
+
+  button.addEventListener('click', () => {
+    if (current()) openTexturePopup(session, id, place, label, button, { choose, clear });
+    else void choose();
+  });
+  button.addEventListener('dragover', (event) => {
+    event.preventDefault();
+    event.stopPropagation();
+    button.classList.add('over');
+  });
+  button.addEventListener('dragleave', () => button.classList.remove('over'));
+  button.addEventListener('drop', (event) => {
+    event.preventDefault();
+    event.stopPropagation();
+    button.classList.remove('over');
+    window.dispatchEvent(new Event('dragend'));
+    const file = event.dataTransfer?.files[0];
+    if (file && isImageFile(file)) void put(file);
+    else if (file)
+      toast('error', `${file.name} is not an image`, 'Drop a PNG, JPEG, WebP or AVIF file here.');
+  });
+
+  let shown: TextureRef | null | undefined;
+  return {
+    element: button,
+    update() {
+      const texture = current();
+      if (texture === shown) return;
+      shown = texture;
+      button.classList.toggle('filled', texture !== null);
+      button.dataset.tip = texture
+        ? `${store.document.assets[texture.asset]?.name ?? texture.asset}\nClick to lay it out, replace or remove it`
+        : `Add a texture to ${label.toLowerCase()}: click, or drop an image here`;
+      const url = texture && assetUrl(store.document, texture.asset);
+      button.replaceChildren(url ? h('img', { src: url, alt: '' }) : icon(texture ? 'image' : 'imageAdd'));
+    },
+  };
+}
+
+function openTexturePopup(
+  session: Session,
+  id: string,
+  place: SlotPlace,
+  label: string,
+  anchor: HTMLElement,
+  actions: { choose(): Promise<void>; clear(): void },
+): void {
+  const { store } = session;
+  const path =
+    'map' in place ? ['materials', id, place.map] : ['materials', id, 'textures', place.parameter.name];
+  const takesChannel = 'parameter' in place && place.parameter.type === 'float';
+  const fields = shapeFields(scaledTextureShape, {
+    cell: (name, field) =>
+      pathCell(store, [...path, name], `Change ${label.toLowerCase()} ${field.toLowerCase()}`),
+    skip: ['asset', 'texture', 'scale', ...(takesChannel ? [] : ['channel'])],
+  });
+  const update = () => {
+    if (readSlot(store.document.materials[id], place)) for (const field of fields) field.update();
+    else close();
+  };
+  const replace = h('button', { type: 'button', class: 'text-button' }, 'Replace…');
+  const remove = h('button', { type: 'button', class: 'text-button' }, 'Remove');
+  const content = h(
+    'div',
+    { class: 'texture-popup' },
+    h('strong', {}, `${label} texture`),
+    ...fields.map((field) => field.element),
+    h('div', { class: 'popup-actions' }, replace, remove),
+  );
+  const unsubscribe = store.subscribe(update);
+  const close = openPopup({ anchor, content, label: `${label} texture`, onClose: unsubscribe });
+  replace.addEventListener('click', () => {
+    close();
+    void actions.choose();
+  });
+  remove.addEventListener('click', () => {
+    close();
+    actions.clear();
+  });
+  update();
+}
+
+function readSlot(material: Material | undefined, place: SlotPlace): TextureRef | null {
+  if (!material) return null;
+  return 'map' in place ? material[place.map] : (material.textures[place.parameter.name] ?? null);
+}
+
+function writeSlot(
+  material: Document['materials'][string],
+  place: SlotPlace,
+  texture: TextureRef | null,
+): void {
+  if ('map' in place) material[place.map] = texture && { scale: 1, ...texture };
+  else if (texture) material.textures[place.parameter.name] = texture;
+  else delete material.textures[place.parameter.name];
+}
+
+/** Colours come as sRGB images; numbers as the data in one channel. */
+function guess(place: SlotPlace): Partial<TextureRef> {
+  const isColor = 'map' in place ? place.map === 'emissiveMap' : place.parameter.type === 'color';
+  const isNumber = 'parameter' in place && place.parameter.type === 'float';
+  return { colorSpace: isColor ? 'srgb' : 'linear', channel: isNumber ? 'r' : null };
+}

@@ -1,0 +1,143 @@
+/** The strip under the viewport: what is rendered, by what, and how long frames take. */
+import type { EditorStateStore } from '../../state.ts';
+import { h } from '../../ui/dom.ts';
+import { icon } from '../../ui/icons.ts';
+import { createFrameGraph } from './frame-graph.ts';
+import type { FrameStatistics, FrameTimes } from './frame-times.ts';
+
+export interface RenderFigures {
+  width: number;
+  height: number;
+  vertices: number;
+  triangles: number;
+  drawCalls: number;
+  backend: string;
+}
+
+export interface StatusPanel {
+  readonly element: HTMLElement;
+  show(figures: RenderFigures): void;
+}
+
+const REFRESH_MS = 250;
+
+export function createStatus(state: EditorStateStore, times: FrameTimes): StatusPanel {
+  const figure = (label: string, tip: string) => {
+    const value = h('dd', {}, '–');
+    return { value, element: h('div', { class: 'figure', tip }, h('dt', {}, label), value) };
+  };
+  const resolution = figure('Resolution', 'Pixels that are rendered');
+  const vertices = figure('Vertices', 'Vertices of what is drawn');
+  const triangles = figure('Triangles', 'Triangles that are drawn');
+  const calls = figure('Draw calls', 'Draw calls of a frame');
+  const backend = figure('GPU', 'The interface that the browser gave');
+  const fps = figure('FPS', 'Frames shown in the last second; none are drawn while nothing changes');
+  const p50 = figure('p50', 'Half of the frames took at most this');
+  const p95 = figure('p95', '95 % of the frames took at most this');
+  const p99 = figure('p99', '99 % of the frames took at most this');
+  const spikes = figure(
+    'Spikes',
+    'Frames that took half as long again as those before them, and at least 4 ms more',
+  );
+  const graph = createFrameGraph(times);
+
+  const continuous = h(
+    'button',
+    {
+      type: 'button',
+      class: 'icon-button',
+      'aria-label': 'Render continuously',
+      tip: 'Render every frame, to measure; off: only when something changes',
+    },
+    icon('loop'),
+  );
+  continuous.addEventListener('click', () => state.set({ continuous: !state.value.continuous }));
+  const fold = h(
+    'button',
+    { type: 'button', class: 'icon-button', 'aria-label': 'Frame time graph' },
+    icon('chevronDown'),
+  );
+  fold.addEventListener('click', () => state.set({ statusOpen: !state.value.statusOpen }));
+
+  const element = h(
+    'footer',
+    { class: 'status', 'aria-label': 'Status' },
+    h(
+      'div',
+      { class: 'figures' },
+      ...[resolution, vertices, triangles, calls, backend].map((item) => item.element),
+      h('span', { class: 'spacer' }),
+      fps.element,
+      continuous,
+      fold,
+    ),
+    h(
+      'div',
+      { class: 'timing' },
+      h(
+        'div',
+        {
+          class: 'timing-graph',
+          tip: 'Frame time in ms, newest at the right; spikes in red.\nBetween frames that follow one another: the time from one to the next. A single frame: until the GPU has finished it.',
+        },
+        graph.element,
+      ),
+      h('dl', { class: 'percentiles' }, ...[p50, p95, p99, spikes].map((item) => item.element)),
+    ),
+  );
+
+  const apply = () => {
+    const { continuous: on, statusOpen } = state.value;
+    continuous.classList.toggle('on', on);
+    continuous.setAttribute('aria-pressed', String(on));
+    element.classList.toggle('folded', !statusOpen);
+    fold.setAttribute('aria-expanded', String(statusOpen));
+  };
+  state.subscribe(apply);
+  apply();
+
+  let drawn = -1;
+  window.setInterval(() => {
+    const statistics = times.statistics(performance.now());
+    put(fps.value, statistics.fps === 0 ? 'idle' : String(statistics.fps));
+    if (drawn === lastAt(times)) return;
+    drawn = lastAt(times);
+    showStatistics(statistics);
+    if (state.value.statusOpen) graph.draw();
+  }, REFRESH_MS);
+
+  const showStatistics = (statistics: FrameStatistics) => {
+    put(p50.value, milliseconds(statistics.p50));
+    put(p95.value, milliseconds(statistics.p95));
+    put(p99.value, milliseconds(statistics.p99));
+    put(spikes.value, String(statistics.spikes));
+    spikes.element.classList.toggle('bad', statistics.spikes > 0);
+  };
+
+  return {
+    element,
+    show(figures) {
+      put(resolution.value, `${figures.width} × ${figures.height}`);
+      put(vertices.value, grouped(figures.vertices));
+      put(triangles.value, grouped(figures.triangles));
+      put(calls.value, grouped(figures.drawCalls));
+      put(backend.value, figures.backend);
+    },
+  };
+}
+
+function lastAt(times: FrameTimes): number {
+  return times.samples.at(-1)?.at ?? -1;
+}
+
+function put(element: HTMLElement, text: string): void {
+  if (element.textContent !== text) element.textContent = text;
+}
+
+function milliseconds(value: number): string {
+  return Number.isNaN(value) ? '–' : `${value < 100 ? value.toFixed(1) : Math.round(value)} ms`;
+}
+
+function grouped(value: number): string {
+  return value.toLocaleString('en').replace(/,/g, '\u202f');
+}

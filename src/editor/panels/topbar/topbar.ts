@@ -1,0 +1,137 @@
+/** The top bar: files, what can be added, undo and redo, the term that is looked at, screenshot. */
+
+import { addLight, addObject } from '../../../scene/commands.ts';
+import { addableGeometries, geometryNames } from '../../../scene/geometry-schema.ts';
+import { lightDefaults, lightTypes } from '../../../scene/light-schema.ts';
+import { addMaterial } from '../../../scene/material-commands.ts';
+import { attempt } from '../../commands.ts';
+import type { Session } from '../../session.ts';
+import { h } from '../../ui/dom.ts';
+import { type IconName, icon, isIcon } from '../../ui/icons.ts';
+import { type MenuEntry, menuButton } from '../../ui/menu.ts';
+import { createTermSelect } from './term-select.ts';
+
+export interface TopbarActions {
+  newScene(): void;
+  open(): void;
+  save(): void;
+  openShipped(name: string): void;
+  screenshot(): void;
+  shippedScenes: readonly { name: string; title: string }[];
+}
+
+export function createTopbar(session: Session, actions: TopbarActions): HTMLElement {
+  const { store } = session;
+  const title = h('span', { class: 'scene-name' });
+  const undo = historyButton('undo', () => store.undo());
+  const redo = historyButton('redo', () => store.redo());
+  const shot = h(
+    'button',
+    { type: 'button', class: 'icon-button', 'aria-label': 'Screenshot', tip: 'Save the picture as PNG' },
+    icon('camera'),
+  );
+  shot.addEventListener('click', () => actions.screenshot());
+
+  const update = () => {
+    title.textContent = store.document.name;
+    document.title = `${store.document.name} – Irradia`;
+    showHistory(undo, 'Undo', store.canUndo, store.undoLabel, 'Ctrl+Z');
+    showHistory(redo, 'Redo', store.canRedo, store.redoLabel, 'Ctrl+Shift+Z');
+  };
+  store.subscribe(update);
+  update();
+
+  return h(
+    'header',
+    { class: 'topbar' },
+    h('span', { class: 'brand' }, h('span', { class: 'brand-mark' }), 'Irradia'),
+    menuButton('File', () => fileEntries(actions)),
+    menuButton('Add', () => addEntries(session)),
+    h('span', { class: 'divider' }),
+    undo,
+    redo,
+    h('span', { class: 'spacer' }),
+    title,
+    h('span', { class: 'spacer' }),
+    createTermSelect(session),
+    shot,
+  );
+}
+
+function fileEntries(actions: TopbarActions): MenuEntry[] {
+  return [
+    { label: 'New', icon: 'file', run: actions.newScene },
+    {
+      label: 'Open…',
+      icon: 'folder',
+      shortcut: 'Ctrl+O',
+      tip: 'A scene, glTF, .brdf, HDR, EXR or image',
+      run: actions.open,
+    },
+    { label: 'Save', icon: 'save', shortcut: 'Ctrl+S', run: actions.save },
+    { label: 'Screenshot', icon: 'camera', run: actions.screenshot },
+    'separator',
+    { heading: 'Scenes' },
+    ...actions.shippedScenes.map(
+      ({ name, title }): MenuEntry => ({ label: title, icon: 'scene', run: () => actions.openShipped(name) }),
+    ),
+  ];
+}
+
+function addEntries({ store, state }: Session): MenuEntry[] {
+  const iconFor = (type: string): IconName => (isIcon(type) ? type : 'mesh');
+  return [
+    { heading: 'Objects' },
+    ...addableGeometries.map(
+      (type): MenuEntry => ({
+        label: geometryNames[type],
+        icon: iconFor(type),
+        run: () => {
+          const id = attempt('Not added', () => addObject(store, type));
+          if (id) state.select({ kind: 'objects', id });
+        },
+      }),
+    ),
+    'separator',
+    { heading: 'Lights' },
+    ...lightTypes.map(
+      (type): MenuEntry => ({
+        label: lightDefaults[type].name,
+        icon: iconFor(type),
+        run: () => {
+          const id = attempt('Not added', () => addLight(store, type));
+          if (id) state.select({ kind: 'lights', id });
+        },
+      }),
+    ),
+    'separator',
+    {
+      label: 'Material',
+      icon: 'material',
+      run: () => {
+        const id = attempt('Not added', () => addMaterial(store));
+        if (id) state.select({ kind: 'materials', id });
+      },
+    },
+  ];
+}
+
+function historyButton(name: 'undo' | 'redo', run: () => void): HTMLButtonElement {
+  const button = h('button', { type: 'button', class: 'icon-button' }, icon(name));
+  button.dataset.action = name;
+  button.addEventListener('click', run);
+  return button;
+}
+
+function showHistory(
+  button: HTMLButtonElement,
+  verb: string,
+  possible: boolean,
+  label: string | null,
+  shortcut: string,
+): void {
+  button.disabled = !possible;
+  const text = label ? `${verb}: ${label}` : verb;
+  button.setAttribute('aria-label', text);
+  button.dataset.tip = `${text}  (${shortcut})`;
+}

@@ -1,0 +1,12 @@
+/** What the panels share: the document, the editor's state, and the ways into the scene for files. */
+import type { DocumentStore } from '../scene/store.ts';
+import type { EditorStateStore } from './state.ts';
+
+export interface Session {
+  readonly store: DocumentStore;
+  readonly state: EditorStateStore;
+  /** Puts files into the scene, as a drop on the page does. */
+  openFiles(files: readonly File[]): Promise<void>;
+  /** Asks for files of the given kinds (`accept` of a file input). */
+  chooseFiles(accept: string, multiple?: boolean): Promise<readonly File[]>;
+}

@@ -1,0 +1,102 @@
+/**
+ * The editor's own state: what is selected, what is folded, which units are shown. Nothing here
+ * belongs to the scene; the scene's only state is the document.
+ */
+import type { Document } from '../scene/schema.ts';
+
+export type EntityKind = 'lights' | 'objects' | 'materials';
+
+/** Null is the scene itself: camera, environment, view. */
+export type Selection = { readonly kind: EntityKind; readonly id: string } | null;
+
+export interface EditorState {
+  readonly selection: Selection;
+  /** Titles of the inspector's sections that are folded. */
+  readonly folded: readonly string[];
+  /** The unit in which a photometric field is shown, by `light type.field`. */
+  readonly units: Readonly<Record<string, string>>;
+  /** Render every animation frame, not only when something changed. */
+  readonly continuous: boolean;
+  readonly statusOpen: boolean;
+}
+
+type Persistent = Pick<EditorState, 'folded' | 'units' | 'statusOpen'>;
+
+const STORAGE_KEY = 'irradia.editor';
+
+const initial: EditorState = {
+  selection: null,
+  folded: ['Geometry', 'Maps and transparency', 'Near and far'],
+  units: {},
+  continuous: false,
+  statusOpen: true,
+};
+
+export class EditorStateStore {
+  #state: EditorState = { ...initial, ...restore() };
+  readonly #listeners = new Set<(state: EditorState, previous: EditorState) => void>();
+
+  get value(): EditorState {
+    return this.#state;
+  }
+
+  set(patch: Partial<EditorState>): void {
+    const previous = this.#state;
+    this.#state = { ...previous, ...patch };
+    if (patch.folded || patch.units || patch.statusOpen !== undefined) this.#persist();
+    for (const listener of [...this.#listeners]) listener(this.#state, previous);
+  }
+
+  select(selection: Selection): void {
+    const { selection: current } = this.#state;
+    if (selection?.kind === current?.kind && selection?.id === current?.id) return;
+    this.set({ selection });
+  }
+
+  fold(title: string, folded: boolean): void {
+    const others = this.#state.folded.filter((other) => other !== title);
+    this.set({ folded: folded ? [...others, title] : others });
+  }
+
+  /** What was selected may be gone after an undo or a new document. */
+  forget(document: Document): void {
+    const { selection } = this.#state;
+    if (selection && !(selection.id in document[selection.kind])) this.set({ selection: null });
+  }
+
+  subscribe(listener: (state: EditorState, previous: EditorState) => void): () => void {
+    this.#listeners.add(listener);
+    return () => this.#listeners.delete(listener);
+  }
+
+  #persist(): void {
+    const { folded, units, statusOpen } = this.#state;
+    try {
+      localStorage.setItem(STORAGE_KEY, JSON.stringify({ folded, units, statusOpen } satisfies Persistent));
+    } catch {
+      // Storage may be forbidden or full; the page then forgets its layout, nothing else.
+    }
+  }
+}
+
+/** What an older or a tampered page left in storage is taken only where it has the right shape. */
+function restore(): Partial<Persistent> {
+  try {
+    const stored: unknown = JSON.parse(localStorage.getItem(STORAGE_KEY) ?? '{}');
+    if (typeof stored !== 'object' || stored === null) return {};
+    const { folded, units, statusOpen } = stored as Record<string, unknown>;
+    const isText = (value: unknown): value is string => typeof value === 'string';
+    return {
+      ...(Array.isArray(folded) && { folded: folded.filter(isText) }),
+      ...(typeof units === 'object' &&
+        units !== null && {
+          units: Object.fromEntries(
+            Object.entries(units).filter((entry): entry is [string, string] => isText(entry[1])),
+          ),
+        }),
+      ...(typeof statusOpen === 'boolean' && { statusOpen }),
+    };
+  } catch {
+    return {};
+  }
+}
