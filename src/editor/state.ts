@@ -26,7 +26,7 @@ const STORAGE_KEY = 'irradia.editor';
 
 const initial: EditorState = {
   selection: null,
-  folded: ['Geometry', 'Maps and transparency', 'Near and far'],
+  folded: ['Geometry', 'Maps', 'Emission and transparency', 'Near and far'],
   units: {},
   continuous: false,
   statusOpen: true,

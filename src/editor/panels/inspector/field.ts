@@ -134,11 +134,17 @@ export function labelOf(name: string): string {
   const words = name
     .replace(/[_-]+/g, ' ')
     .replace(/([a-z\d])([A-Z])/g, (_, a: string, b: string) => `${a} ${b.toLowerCase()}`);
-  return words.charAt(0).toUpperCase() + words.slice(1);
+  return ABBREVIATIONS[name] ?? words.charAt(0).toUpperCase() + words.slice(1);
 }
 
-const ABBREVIATIONS: Readonly<Record<string, string>> = { aces: 'ACES', agx: 'AgX', srgb: 'sRGB' };
+const ABBREVIATIONS: Readonly<Record<string, string>> = {
+  aces: 'ACES',
+  agx: 'AgX',
+  srgb: 'sRGB',
+  fov: 'Field of view',
+  uv: 'UV set',
+};
 
 export function choiceLabel(value: string): string {
-  return ABBREVIATIONS[value] ?? labelOf(value);
+  return labelOf(value);
 }

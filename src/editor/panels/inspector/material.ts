@@ -55,11 +55,8 @@ export function materialPanel(session: Session, id: string): InspectorPanel {
       'div',
       {},
       fold('Material', choice.element, manual, ...parameters.map((field) => field.element)),
-      fold(
-        'Maps and transparency',
-        ...maps.map((field) => field.element),
-        ...surface.map((field) => field.element),
-      ),
+      fold('Maps', ...maps.map((field) => field.element)),
+      fold('Emission and transparency', ...surface.map((field) => field.element)),
     ),
     update() {
       for (const field of bound) field.update();

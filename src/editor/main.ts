@@ -1,0 +1,182 @@
+/** The page: puts the document, the panels and the viewport together and opens the first scene. */
+import { createRenderer, type RealtimeRenderer } from '../realtime/renderer.ts';
+import { AssetLoader } from '../scene/assets.ts';
+import { createDocument, serializeDocument } from '../scene/document.ts';
+import { SceneMirror } from '../scene/mirror.ts';
+import { pageAssets } from '../scene/page-assets.ts';
+import type { Document } from '../scene/schema.ts';
+import { DocumentStore } from '../scene/store.ts';
+import { deleteSelected, duplicateSelected } from './commands.ts';
+import { installErrorReports, showStartFailure } from './errors.ts';
+import { installDrop } from './io/drop.ts';
+import { ANY_ACCEPT, chooseFiles, download, fileNameOf } from './io/files.ts';
+import { openFiles } from './io/open.ts';
+import { createInspector } from './panels/inspector/inspector.ts';
+import { createOutliner } from './panels/outliner/outliner.ts';
+import { FrameTimes } from './panels/status/frame-times.ts';
+import { createStatus } from './panels/status/status.ts';
+import { createTopbar } from './panels/topbar/topbar.ts';
+import { loadScene, shippedScenes } from './scenes.ts';
+import type { Session } from './session.ts';
+import { installShortcuts } from './shortcuts.ts';
+import { EditorStateStore } from './state.ts';
+import { confirm } from './ui/confirm.ts';
+import { h } from './ui/dom.ts';
+import { startProgress, toast, toastError } from './ui/toast.ts';
+import { installTooltip } from './ui/tooltip.ts';
+import { trackUnsaved } from './unsaved.ts';
+import { Viewport } from './viewport/viewport.ts';
+
+/** For the browser's console and for tests: `irradia.store.edit(...)`, `await irradia.ready`. */
+export interface IrradiaConsole {
+  readonly store: DocumentStore;
+  readonly mirror: SceneMirror;
+  /** Resolves when the first scene is complete and its first frame is on the screen. */
+  readonly ready: Promise<void>;
+  /** Null until the renderer has started, and where it could not. */
+  renderer: RealtimeRenderer | null;
+  viewport: Viewport | null;
+}
+
+declare global {
+  interface Window {
+    irradia: IrradiaConsole;
+  }
+}
+
+installErrorReports();
+installTooltip();
+
+const store = new DocumentStore(createDocument());
+const state = new EditorStateStore();
+const unsaved = trackUnsaved(store);
+const mirror = new SceneMirror({
+  assets: new AssetLoader(pageAssets),
+  onError: (message) => toast('error', 'A part of the scene is missing', message),
+});
+
+const session: Session = {
+  store,
+  state,
+  openFiles: (files) => openFiles({ store, state, replaceDocument }, files),
+  chooseFiles,
+};
+
+const outliner = createOutliner(session);
+const times = new FrameTimes();
+const status = createStatus(state, times);
+const canvas = h('canvas', { tabindex: -1, 'aria-label': 'Viewport' });
+const loading = h('div', { class: 'loading' }, 'Loading…');
+const view = h('main', { class: 'viewport' }, canvas, loading);
+
+document
+  .getElementById('app')
+  ?.replaceChildren(
+    createTopbar(session, { newScene, open, save, openShipped, screenshot, shippedScenes }),
+    h('div', { class: 'panel-left' }, outliner.element),
+    view,
+    h('div', { class: 'panel-right' }, createInspector(session)),
+    status.element,
+  );
+installDrop(view, (files) => void session.openFiles(files));
+installShortcuts([
+  { key: 'z', ctrl: true, run: () => store.undo() },
+  { key: 'z', ctrl: true, shift: true, run: () => store.redo() },
+  { key: 'y', ctrl: true, run: () => store.redo() },
+  { key: 's', ctrl: true, run: save },
+  { key: 'o', ctrl: true, run: open },
+  { key: 'd', ctrl: true, run: () => duplicateSelected(store, state) },
+  { key: 'delete', run: () => deleteSelected(store, state) },
+  { key: 'backspace', run: () => deleteSelected(store, state) },
+  { key: 'f', run: () => window.irradia.viewport?.focusSelection() },
+  { key: 'f2', run: () => outliner.renameSelected() },
+  { key: 'escape', run: () => state.select(null) },
+]);
+
+window.irradia = { store, mirror, renderer: null, viewport: null, ready: start() };
+window.irradia.ready.catch(() => {
+  // start() has told the person; this keeps the browser from telling it again.
+});
+
+async function start(): Promise<void> {
+  const [renderer, document] = await Promise.allSettled([
+    createRenderer({ canvas, onError: (message) => toast('error', 'The GPU reported an error', message) }),
+    loadScene(new URLSearchParams(location.search).get('scene') ?? undefined),
+  ]);
+  if (document.status === 'fulfilled') store.open(document.value);
+  else toastError('The scene could not be opened', document.reason);
+  mirror.apply(store.document);
+  if (renderer.status === 'rejected') {
+    showStartFailure(view, renderer.reason);
+    throw renderer.reason;
+  }
+  window.irradia.renderer = renderer.value;
+  const viewport = new Viewport({
+    element: view,
+    canvas,
+    session,
+    mirror,
+    renderer: renderer.value,
+    times,
+    onFigures: status.show,
+  });
+  window.irradia.viewport = viewport;
+  await viewport.nextFrame();
+  loading.remove();
+  await mirror.settled();
+  viewport.refresh();
+  await viewport.nextFrame();
+}
+
+/** False when the person would rather keep the present scene. */
+async function replaceDocument(next: Document): Promise<boolean> {
+  if (unsaved.value) {
+    const sure = await confirm(
+      `Leave “${store.document.name}”?`,
+      'It has changes that are not saved. Save first if you want to keep them.',
+      'Discard changes',
+    );
+    if (!sure) return false;
+  }
+  state.select(null);
+  store.open(next);
+  times.clear();
+  return true;
+}
+
+function newScene(): void {
+  void replaceDocument(createDocument());
+}
+
+async function openShipped(name: string): Promise<void> {
+  const progress = startProgress(`Opening ${name}`);
+  progress.update(`Opening ${name}`, null);
+  try {
+    await replaceDocument(await loadScene(name));
+  } catch (error) {
+    toastError(`${name} could not be opened; the scene is unchanged`, error);
+  } finally {
+    progress.done();
+  }
+}
+
+async function open(): Promise<void> {
+  await session.openFiles(await chooseFiles(ANY_ACCEPT, true));
+}
+
+function save(): void {
+  const name = `${fileNameOf(store.document.name)}.json`;
+  download(name, new Blob([serializeDocument(store.document)], { type: 'application/json' }));
+  unsaved.mark();
+  toast('success', `Saved ${name}`);
+}
+
+async function screenshot(): Promise<void> {
+  const { viewport } = window.irradia;
+  if (!viewport) return;
+  try {
+    download(`${fileNameOf(store.document.name)}.png`, await viewport.screenshot());
+  } catch (error) {
+    toastError('No screenshot was taken', error);
+  }
+}

@@ -1,0 +1,28 @@
+/** The keys of the page. None of them fires while something is being typed. */
+import { isTextEntry } from './ui/dom.ts';
+
+export interface Shortcut {
+  /** `event.key` in lower case. */
+  readonly key: string;
+  readonly ctrl?: boolean;
+  readonly shift?: boolean;
+  run(): void;
+}
+
+export function installShortcuts(shortcuts: readonly Shortcut[]): void {
+  window.addEventListener('keydown', (event) => {
+    if (isTextEntry(event.target) || document.querySelector('dialog[open]')) return;
+    const ctrl = event.ctrlKey || event.metaKey;
+    const found = shortcuts.find(
+      (shortcut) =>
+        shortcut.key === event.key.toLowerCase() &&
+        Boolean(shortcut.ctrl) === ctrl &&
+        Boolean(shortcut.shift) === event.shiftKey &&
+        !event.altKey,
+    );
+    if (!found) return;
+    // Also keeps the browser from its own meaning of Ctrl+S, Ctrl+O and Ctrl+D.
+    event.preventDefault();
+    found.run();
+  });
+}

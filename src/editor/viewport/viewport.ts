@@ -1,0 +1,212 @@
+/**
+ * The viewport: keeps the picture equal to the document. It alone knows the renderer; panels change
+ * the document and never ask for a frame.
+ */
+import { Box3, Matrix4 } from 'three/webgpu';
+import type { RealtimeRenderer } from '../../realtime/renderer.ts';
+import type { SceneMirror } from '../../scene/mirror.ts';
+import type { Document } from '../../scene/schema.ts';
+import type { FrameTimes } from '../panels/status/frame-times.ts';
+import type { RenderFigures } from '../panels/status/status.ts';
+import type { Session } from '../session.ts';
+import { toastError } from '../ui/toast.ts';
+import { createCameraControl } from './camera.ts';
+import { FrameLoop } from './frame-loop.ts';
+import { gpuFinished } from './gpu-finish.ts';
+import { createOverlay, type Overlay } from './overlay.ts';
+import { pickObject } from './picking.ts';
+import { countScene, type SceneCounts } from './statistics.ts';
+
+export interface ViewportOptions {
+  readonly element: HTMLElement;
+  readonly canvas: HTMLCanvasElement;
+  readonly session: Session;
+  readonly mirror: SceneMirror;
+  readonly renderer: RealtimeRenderer;
+  readonly times: FrameTimes;
+  onFigures(figures: RenderFigures): void;
+}
+
+const CLICK_PX = 4;
+
+export class Viewport {
+  readonly #options: ViewportOptions;
+  readonly #overlay: Overlay;
+  readonly #loop: FrameLoop;
+  readonly #camera: ReturnType<typeof createCameraControl>;
+  #counts: SceneCounts = { vertices: 0, triangles: 0 };
+  #bounds: { id: string; box: Box3 } | null = null;
+  #framesLeftToWait: (() => void)[] = [];
+
+  constructor(options: ViewportOptions) {
+    const { element, canvas, session, mirror, times } = options;
+    this.#options = options;
+    this.#overlay = createOverlay();
+    element.append(this.#overlay.element);
+    this.#loop = new FrameLoop({
+      render: () => this.#render(),
+      onFrame: (at, ms) => times.add(at, ms),
+      onError: (error) => {
+        this.#loop.stop();
+        toastError('The picture could not be drawn', error);
+      },
+    });
+    this.#camera = createCameraControl(mirror.camera, canvas, session.store, () => this.#loop.request());
+    this.#camera.follow(session.store.document);
+
+    session.store.subscribe(({ document, previous }) => this.#follow(document, previous));
+    session.state.subscribe((now, before) => {
+      if (now.continuous !== before.continuous) this.#loop.continuous = now.continuous;
+      if (now.selection !== before.selection) this.#drawOverlay();
+    });
+    new ResizeObserver(() => this.#loop.request()).observe(element);
+    this.#installPicking(canvas);
+    this.refresh();
+  }
+
+  /** After something came that is not in the document, such as a decoded image. */
+  refresh(): void {
+    this.#counts = countScene(this.#options.mirror.scene);
+    this.#bounds = null;
+    this.#loop.request();
+  }
+
+  /** Resolves once a frame that shows the present document is finished. */
+  nextFrame(): Promise<void> {
+    return new Promise((resolve) => {
+      this.#framesLeftToWait.push(resolve);
+      this.#loop.request();
+    });
+  }
+
+  /** Looks at what is selected, or at everything. */
+  focusSelection(): void {
+    const { session, mirror } = this.#options;
+    const { selection } = session.state.value;
+    const { document } = session.store;
+    const box = new Box3();
+    let name = 'the scene';
+    if (selection?.kind === 'objects') {
+      const object = mirror.objectFor(selection.id);
+      if (object) box.setFromObject(object);
+      name = document.objects[selection.id]?.name ?? name;
+    } else {
+      const users = Object.entries(document.objects).filter(
+        ([, object]) => object.material === selection?.id,
+      );
+      const ids = users.length > 0 ? users.map(([id]) => id) : Object.keys(document.objects);
+      for (const id of ids) {
+        const object = mirror.objectFor(id);
+        if (object) box.expandByObject(object);
+      }
+    }
+    this.#camera.focus(box, name);
+  }
+
+  /** The picture as it is shown, without the overlay. */
+  async screenshot(): Promise<Blob> {
+    const { canvas } = this.#options;
+    // A canvas may be read only in the task that drew it.
+    this.#submit();
+    return new Promise((resolve, reject) => {
+      canvas.toBlob(
+        (blob) => (blob ? resolve(blob) : reject(new Error('The canvas gave no image.'))),
+        'image/png',
+      );
+    });
+  }
+
+  #follow(document: Document, previous: Document): void {
+    const { mirror } = this.#options;
+    mirror.apply(document);
+    if (document.camera !== previous.camera) this.#camera.follow(document);
+    if (document.objects !== previous.objects || document.assets !== previous.assets) this.refresh();
+    else this.#loop.request();
+    void mirror.settled().then(() => {
+      // A geometry or an image may have come only now.
+      if (this.#options.session.store.document === document) this.refresh();
+    });
+  }
+
+  #submit(): void {
+    const { element, mirror, renderer, session, onFigures } = this.#options;
+    const size = {
+      width: Math.max(1, Math.round(element.clientWidth * devicePixelRatio)),
+      height: Math.max(1, Math.round(element.clientHeight * devicePixelRatio)),
+    };
+    const { view } = session.store.document;
+    renderer.render(mirror, view, size);
+    onFigures({
+      width: Math.max(1, Math.round(size.width * view.resolutionScale)),
+      height: Math.max(1, Math.round(size.height * view.resolutionScale)),
+      drawCalls: renderer.three.info.render.drawCalls,
+      backend: renderer.backend === 'webgpu' ? 'WebGPU' : 'WebGL 2',
+      ...this.#counts,
+    });
+  }
+
+  async #render(): Promise<void> {
+    const waiting = this.#framesLeftToWait;
+    this.#framesLeftToWait = [];
+    this.#submit();
+    this.#drawOverlay();
+    await gpuFinished(this.#options.renderer);
+    for (const resolve of waiting) resolve();
+  }
+
+  #drawOverlay(): void {
+    const { mirror, session } = this.#options;
+    const { selection } = session.state.value;
+    this.#overlay.draw({
+      document: session.store.document,
+      camera: mirror.camera,
+      selection,
+      selected: selection?.kind === 'objects' ? this.#selectedBox(selection.id) : null,
+    });
+  }
+
+  /** The bounds in the object's own space, so that the marks turn with it. */
+  #selectedBox(id: string): { box: Box3; matrix: Matrix4 } | null {
+    const object = this.#options.mirror.objectFor(id);
+    if (!object?.visible) return null;
+    object.updateWorldMatrix(true, true);
+    if (this.#bounds?.id !== id) {
+      const box = new Box3();
+      const toOwn = new Matrix4().copy(object.matrixWorld).invert();
+      object.traverse((part) => {
+        const geometry =
+          'geometry' in part
+            ? (part.geometry as { boundingBox: Box3 | null; computeBoundingBox(): void })
+            : null;
+        if (!geometry) return;
+        if (!geometry.boundingBox) geometry.computeBoundingBox();
+        if (geometry.boundingBox) {
+          box.union(geometry.boundingBox.clone().applyMatrix4(part.matrixWorld).applyMatrix4(toOwn));
+        }
+      });
+      this.#bounds = { id, box };
+    }
+    return { box: this.#bounds.box, matrix: object.matrixWorld };
+  }
+
+  #installPicking(canvas: HTMLCanvasElement): void {
+    const { mirror, session } = this.#options;
+    let down: { x: number; y: number } | null = null;
+    canvas.addEventListener('pointerdown', (event) => {
+      down = event.button === 0 ? { x: event.clientX, y: event.clientY } : null;
+      // Typing ends where the picture is touched.
+      if (document.activeElement instanceof HTMLElement) document.activeElement.blur();
+    });
+    canvas.addEventListener('pointerup', (event) => {
+      if (!down || Math.hypot(event.clientX - down.x, event.clientY - down.y) > CLICK_PX) return;
+      const box = canvas.getBoundingClientRect();
+      const x = event.clientX - box.left;
+      const y = event.clientY - box.top;
+      const light = this.#overlay.lightAt(x, y);
+      const object = light ? null : pickObject(mirror, (x / box.width) * 2 - 1, 1 - (y / box.height) * 2);
+      if (light) session.state.select({ kind: 'lights', id: light });
+      else session.state.select(object ? { kind: 'objects', id: object } : null);
+    });
+    canvas.addEventListener('dblclick', () => this.focusSelection());
+  }
+}
