@@ -1,0 +1,92 @@
+/** The light that comes from everywhere, and what is seen behind the scene. */
+import * as THREE from 'three/webgpu';
+import type { AssetLoader } from '../assets.ts';
+import type { Asset, Document } from '../schema.ts';
+import type { Pending } from './pending.ts';
+
+export class EnvironmentMirror {
+  readonly #scene: THREE.Scene;
+  readonly #assets: AssetLoader;
+  readonly #pending: Pending;
+  /** What the present texture was made of. */
+  #source: string | Asset = 'none';
+  #texture: THREE.DataTexture | null = null;
+
+  constructor(scene: THREE.Scene, assets: AssetLoader, pending: Pending) {
+    this.#scene = scene;
+    this.#assets = assets;
+    this.#pending = pending;
+  }
+
+  apply(document: Document, before: Document | null): void {
+    const { environment, background, assets } = document;
+    if (before?.environment === environment && before.background === background && before.assets === assets)
+      return;
+    this.#setSource(document);
+    const scene = this.#scene;
+    const rotation = THREE.MathUtils.degToRad(environment.rotation);
+    scene.environmentIntensity = environment.intensity;
+    scene.environmentRotation.set(0, rotation, 0);
+    scene.backgroundIntensity = background.type === 'environment' ? environment.intensity : 1;
+    scene.backgroundRotation.set(0, rotation, 0);
+    scene.backgroundBlurriness = background.type === 'environment' ? background.blur : 0;
+    this.#setBackground(document);
+  }
+
+  dispose(): void {
+    this.#show(null);
+    this.#scene.background = null;
+  }
+
+  #setSource(document: Document): void {
+    const { source } = document.environment;
+    const identity =
+      source.type === 'hdr' ? (document.assets[source.asset] ?? 'none') : JSON.stringify(source);
+    if (identity === this.#source) return;
+    this.#source = identity;
+    if (source.type === 'none') this.#show(null);
+    else if (source.type === 'constant') this.#show(constantEnvironment(source.color));
+    else {
+      const loading =
+        source.type === 'preset'
+          ? this.#assets.preset(source.name)
+          : this.#assets.environment(document.assets[source.asset] as Asset);
+      this.#pending.add(loading, (texture) => {
+        // Another source may have been chosen while this one was on its way.
+        if (this.#source !== identity) texture.dispose();
+        else this.#show(texture);
+      });
+    }
+  }
+
+  #show(texture: THREE.DataTexture | null): void {
+    const old = this.#texture;
+    this.#texture = texture;
+    this.#scene.environment = texture;
+    if (old !== null && this.#scene.background === old) this.#scene.background = texture;
+    old?.dispose();
+  }
+
+  #setBackground({ background }: Document): void {
+    const scene = this.#scene;
+    if (background.type === 'environment') {
+      scene.background = this.#texture;
+      return;
+    }
+    const color = scene.background instanceof THREE.Color ? scene.background : new THREE.Color();
+    scene.background = color.setRGB(...background.color);
+  }
+}
+
+/** Small, yet an image like any other: whatever handles environments needs no special case. */
+function constantEnvironment([r, g, b]: readonly [number, number, number]): THREE.DataTexture {
+  const texel = [r, g, b, 1].map((value) => THREE.DataUtils.toHalfFloat(value));
+  const [width, height] = [8, 4];
+  const data = new Uint16Array(Array.from({ length: width * height }, () => texel).flat());
+  const texture = new THREE.DataTexture(data, width, height, THREE.RGBAFormat, THREE.HalfFloatType);
+  texture.mapping = THREE.EquirectangularReflectionMapping;
+  texture.magFilter = THREE.LinearFilter;
+  texture.minFilter = THREE.LinearFilter;
+  texture.needsUpdate = true;
+  return texture;
+}

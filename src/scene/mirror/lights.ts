@@ -1,0 +1,147 @@
+/** The lights of the document as three.js lights: a changed field sets a field. */
+import * as THREE from 'three/webgpu';
+import { BrdfPointLight } from '../../lights/point-light.ts';
+import { BrdfRectLight } from '../../lights/rect-light.ts';
+import { BrdfSpotLight } from '../../lights/spot-light.ts';
+import { temperatureColor } from '../../lights/units.ts';
+import type { Document, Light, LightOf, LightType } from '../schema.ts';
+import { diff } from './diff.ts';
+
+interface ThreeLights {
+  ambient: THREE.AmbientLight;
+  hemisphere: THREE.HemisphereLight;
+  directional: THREE.DirectionalLight;
+  point: BrdfPointLight;
+  spot: BrdfSpotLight;
+  rectangle: BrdfRectLight;
+}
+
+export type MirroredLight = ThreeLights[LightType];
+
+type Kinds = {
+  readonly [T in LightType]: {
+    create(): ThreeLights[T];
+    set(light: ThreeLights[T], source: LightOf<T>): void;
+  };
+};
+
+const kinds: Kinds = {
+  ambient: {
+    create: () => new THREE.AmbientLight(),
+    set: (light, { luminance }) => {
+      light.intensity = luminance;
+    },
+  },
+  hemisphere: {
+    create: () => new THREE.HemisphereLight(),
+    set: (light, { luminance, groundColor }) => {
+      light.intensity = luminance;
+      light.groundColor.setRGB(...groundColor);
+    },
+  },
+  directional: {
+    create: () => new THREE.DirectionalLight(),
+    set: (light, { illuminance, position, target }) => {
+      light.intensity = illuminance;
+      light.position.fromArray(position);
+      light.target.position.fromArray(target);
+    },
+  },
+  point: {
+    create: () => new BrdfPointLight(),
+    set: (light, { intensity, position, falloff, range }) => {
+      light.intensity = intensity;
+      light.position.fromArray(position);
+      light.falloff = falloff;
+      light.distance = range;
+    },
+  },
+  spot: {
+    create: () => new BrdfSpotLight(),
+    set: (light, source) => {
+      light.intensity = source.intensity;
+      light.position.fromArray(source.position);
+      light.target.position.fromArray(source.target);
+      light.angle = THREE.MathUtils.degToRad(source.cutoff);
+      light.exponent = source.exponent;
+      light.penumbra = source.penumbra;
+      light.falloff = source.falloff;
+      light.distance = source.range;
+    },
+  },
+  rectangle: {
+    create: () => new BrdfRectLight(),
+    set: (light, { luminance, position, target, width, height }) => {
+      light.intensity = luminance;
+      light.width = width;
+      light.height = height;
+      light.position.fromArray(position);
+      light.lookAt(...target);
+    },
+  },
+};
+
+interface Entry {
+  type: LightType;
+  three: MirroredLight;
+}
+
+export class LightsMirror {
+  readonly group = new THREE.Group();
+  readonly #entries = new Map<string, Entry>();
+
+  constructor() {
+    this.group.name = 'lights';
+  }
+
+  apply(document: Document, before: Document | null): void {
+    diff(before?.lights ?? {}, document.lights, {
+      removed: (id) => this.#remove(id),
+      added: (id, light) => this.#add(id, light),
+      changed: (id, light) => {
+        const entry = this.#entries.get(id);
+        if (entry?.type === light.type) setLight(entry.three, light);
+        else {
+          this.#remove(id);
+          this.#add(id, light);
+        }
+      },
+    });
+  }
+
+  get(id: string): MirroredLight | undefined {
+    return this.#entries.get(id)?.three;
+  }
+
+  dispose(): void {
+    for (const id of [...this.#entries.keys()]) this.#remove(id);
+  }
+
+  #add(id: string, light: Light): void {
+    const three = kinds[light.type].create();
+    setLight(three, light);
+    this.#entries.set(id, { type: light.type, three });
+    this.group.add(three);
+    // A target outside the scene would keep the world matrix that it was born with.
+    if ('target' in three) this.group.add(three.target);
+  }
+
+  #remove(id: string): void {
+    const three = this.#entries.get(id)?.three;
+    if (three === undefined) return;
+    this.#entries.delete(id);
+    three.removeFromParent();
+    if ('target' in three) three.target.removeFromParent();
+    three.dispose();
+  }
+}
+
+function setLight<T extends LightType>(three: ThreeLights[T], source: LightOf<T>): void {
+  const kind: Kinds[T] = kinds[source.type as T];
+  const { name, visible, color, temperature } = source as Light;
+  three.name = name;
+  three.visible = visible;
+  three.color.setRGB(...color);
+  if (temperature !== null) three.color.multiply(new THREE.Color(...temperatureColor(temperature)));
+  kind.set(three, source);
+}

@@ -1,0 +1,109 @@
+/** The objects of the document as meshes. */
+import * as THREE from 'three/webgpu';
+import type { Document, SceneObject } from '../schema.ts';
+import { diff } from './diff.ts';
+import type { GeometryCache, GeometryUse } from './geometry.ts';
+
+interface Entry {
+  mesh: THREE.Mesh;
+  object: SceneObject;
+  geometry: GeometryUse | null;
+}
+
+type MaterialOf = (id: string) => THREE.Material | undefined;
+
+export class ObjectsMirror {
+  readonly group = new THREE.Group();
+  readonly #entries = new Map<string, Entry>();
+  readonly #ids = new WeakMap<THREE.Object3D, string>();
+  readonly #geometries: GeometryCache;
+  readonly #materialOf: MaterialOf;
+
+  constructor(geometries: GeometryCache, materialOf: MaterialOf) {
+    this.#geometries = geometries;
+    this.#materialOf = materialOf;
+    this.group.name = 'objects';
+  }
+
+  apply(document: Document, before: Document | null): void {
+    diff(before?.objects ?? {}, document.objects, {
+      removed: (id) => this.#remove(id),
+      added: (id, object) => this.#add(id, object, document),
+      changed: (id, object) => this.#update(id, object, document),
+    });
+    // An object can stay the same while its material or its glTF file became another one.
+    for (const entry of this.#entries.values()) {
+      const material = this.#materialOf(entry.object.material);
+      if (material !== undefined && entry.mesh.material !== material) entry.mesh.material = material;
+    }
+    if (before !== null && before.assets !== document.assets)
+      for (const entry of this.#entries.values()) this.#setGeometry(entry, document);
+  }
+
+  get(id: string): THREE.Mesh | undefined {
+    return this.#entries.get(id)?.mesh;
+  }
+
+  /** The id of the object that `three` is or belongs to. */
+  idOf(three: THREE.Object3D): string | null {
+    for (let at: THREE.Object3D | null = three; at !== null; at = at.parent) {
+      const id = this.#ids.get(at);
+      if (id !== undefined) return id;
+    }
+    return null;
+  }
+
+  dispose(): void {
+    for (const id of [...this.#entries.keys()]) this.#remove(id);
+  }
+
+  #add(id: string, object: SceneObject, document: Document): void {
+    const mesh = new THREE.Mesh(new THREE.BufferGeometry());
+    // Shown when its geometry has come; see #setGeometry.
+    mesh.visible = false;
+    const entry: Entry = { mesh, object, geometry: null };
+    this.#entries.set(id, entry);
+    this.#ids.set(mesh, id);
+    this.#set(entry, document);
+    this.group.add(mesh);
+  }
+
+  #update(id: string, object: SceneObject, document: Document): void {
+    const entry = this.#entries.get(id);
+    if (entry === undefined) return;
+    const moved = entry.object.geometry !== object.geometry;
+    entry.object = object;
+    this.#set(entry, document, moved);
+  }
+
+  #set(entry: Entry, document: Document, geometry = true): void {
+    const { mesh, object } = entry;
+    mesh.name = object.name;
+    mesh.position.fromArray(object.position);
+    const [x, y, z] = object.rotation.map(THREE.MathUtils.degToRad) as [number, number, number];
+    mesh.rotation.set(x, y, z, 'XYZ');
+    mesh.scale.fromArray(object.scale);
+    mesh.visible = object.visible && mesh.geometry.hasAttribute('position');
+    if (geometry) this.#setGeometry(entry, document);
+  }
+
+  #setGeometry(entry: Entry, document: Document): void {
+    const { geometry } = entry.object;
+    const old = entry.geometry;
+    if (old !== null && old.key === this.#geometries.keyOf(geometry, document)) return;
+    // The new one first: it may be the same that the old one would let go.
+    entry.geometry = this.#geometries.acquire(geometry, document, (loaded) => {
+      entry.mesh.geometry = loaded;
+      entry.mesh.visible = entry.object.visible;
+    });
+    old?.release();
+  }
+
+  #remove(id: string): void {
+    const entry = this.#entries.get(id);
+    if (entry === undefined) return;
+    this.#entries.delete(id);
+    entry.geometry?.release();
+    entry.mesh.removeFromParent();
+  }
+}
