@@ -48,7 +48,7 @@ function expectAgreement(actual: readonly number[], expected: readonly number[],
 
 describe.each(Object.entries(models))('%s', (name, formula) => {
   const model = modelNamed(name);
-  const reference = formula as (l: Vec3, v: Vec3, p: ParameterValues) => readonly number[];
+  const reference = formula as unknown as (l: Vec3, v: Vec3, p: ParameterValues) => readonly number[];
   const evaluator = createEvaluator(model);
 
   it('is the formula of the thesis at random directions and parameters', () => {
