@@ -5,13 +5,13 @@ import { repository } from './vite.shared.config.ts';
 export default defineConfig({
   root: repository,
   publicDir: false,
-  ssr: { external: true },
+  // The environments and Suzanne are data, not code to share: only what is used goes in, by parts.
+  ssr: { noExternal: ['@pmndrs/assets'] },
   build: {
     target: 'node20',
     ssr: `${repository}src/cli/main.ts`,
     outDir: `${repository}dist/cli`,
     emptyOutDir: true,
     minify: false,
-    sourcemap: true,
   },
 });

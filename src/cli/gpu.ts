@@ -15,7 +15,9 @@ export interface NodeGpu {
   software: boolean;
 }
 
-export class GpuUnavailableError extends Error {}
+export class GpuUnavailableError extends Error {
+  override readonly name = 'GpuUnavailableError';
+}
 
 export interface GpuOptions {
   device?: DeviceChoice;
@@ -33,7 +35,7 @@ export async function requestGpu({ device = 'auto', onFatal = exitWith }: GpuOpt
   const { gpu, adapter } = found;
   const created = await adapter.requestDevice({
     requiredFeatures: [...adapter.features] as GPUFeatureName[],
-    requiredLimits: bufferLimits(adapter),
+    requiredLimits: sizeLimits(adapter),
   });
   created.addEventListener('uncapturederror', (event) => onFatal(`GPU error: ${event.error.message}`));
   void created.lost.then(({ reason, message }) => {
@@ -82,10 +84,10 @@ async function findSoftware(create: Create): Promise<Found | null> {
   return findAdapter(create, true);
 }
 
-/** WebGPU's defaults (256 MiB a buffer, 128 MiB a storage binding) are too small for large scenes. */
-function bufferLimits({ limits }: GPUAdapter): Record<string, number> {
-  const { maxBufferSize, maxStorageBufferBindingSize } = limits;
-  return { maxBufferSize, maxStorageBufferBindingSize };
+/** WebGPU's defaults (256 MiB a buffer, 8192 pixels a side) are too small for large scenes and pictures. */
+function sizeLimits({ limits }: GPUAdapter): Record<string, number> {
+  const { maxBufferSize, maxStorageBufferBindingSize, maxTextureDimension2D } = limits;
+  return { maxBufferSize, maxStorageBufferBindingSize, maxTextureDimension2D };
 }
 
 function missing(device: DeviceChoice): string {

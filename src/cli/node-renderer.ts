@@ -1,5 +1,6 @@
 import * as THREE from 'three/webgpu';
 import { type DeviceChoice, type NodeGpu, requestGpu } from './gpu.ts';
+import { decodeImage, flipRows, NodeImageBitmap } from './node-image.ts';
 
 /** What three.js expects of a browser, for Node: a WebGPURenderer on Dawn, and its pixels read back. */
 export interface NodeRenderer {
@@ -128,31 +129,6 @@ function swapRedAndBlue(pixels: Uint8Array): void {
   }
 }
 
-/** An image decoded by sharp, under the name by which three.js and its loaders know decoded images. */
-export class NodeImageBitmap {
-  constructor(
-    readonly width: number,
-    readonly height: number,
-    readonly data: Uint8Array,
-  ) {}
-  close(): void {}
-}
-
-/** Decodes a PNG, JPEG or WebP file to 8-bit RGBA. */
-export async function decodeImage(file: Uint8Array): Promise<NodeImageBitmap> {
-  const { default: sharp } = await import('sharp');
-  const { data, info } = await sharp(file)
-    .ensureAlpha()
-    .toColourspace('srgb')
-    .raw()
-    .toBuffer({ resolveWithObject: true });
-  return new NodeImageBitmap(
-    info.width,
-    info.height,
-    new Uint8Array(data.buffer, data.byteOffset, data.length),
-  );
-}
-
 let installed = false;
 
 function installBrowserGlobals(gpu: GPU): void {
@@ -187,12 +163,4 @@ function copyImage(
   const { width, height, data } = image.source as unknown as NodeImageBitmap;
   const pixels = image.flipY ? flipRows(data, width * 4) : data;
   this.writeTexture(target, pixels as Uint8Array<ArrayBuffer>, { bytesPerRow: width * 4 }, [width, height]);
-}
-
-function flipRows(pixels: Uint8Array, rowBytes: number): Uint8Array {
-  const flipped = new Uint8Array(pixels.length);
-  for (let at = 0; at < pixels.length; at += rowBytes) {
-    flipped.set(pixels.subarray(at, at + rowBytes), pixels.length - rowBytes - at);
-  }
-  return flipped;
 }

@@ -1,7 +1,8 @@
 import { readFile, stat } from 'node:fs/promises';
 import { createServer, type IncomingMessage, type Server, type ServerResponse } from 'node:http';
 import type { AddressInfo } from 'node:net';
-import { extname, join, normalize, sep } from 'node:path';
+import { extname, join, posix } from 'node:path';
+import { CliError } from './command.ts';
 
 /** A small web server for files that are on this machine, for this machine. */
 export interface StaticServerOptions {
@@ -69,7 +70,7 @@ async function listen(server: Server, port: number, tries: number): Promise<numb
     const taken = (error as NodeJS.ErrnoException).code === 'EADDRINUSE';
     if (!taken) throw error;
     if (tries <= 1)
-      throw new Error(`port ${port} is taken; choose another one with --port`, { cause: error });
+      throw new CliError(`port ${port} is taken; choose another one with --port`, { cause: error });
     return listen(server, port + 1, tries - 1);
   }
 }
@@ -90,16 +91,17 @@ async function answer(
   const path = requestedPath(request.url ?? '/');
   if (!path) return refuse(400, 'not a path');
   const type = MEDIA_TYPES[extname(path).toLowerCase()] ?? 'application/octet-stream';
-  const body = files?.get(path) ?? (folder && (await readServed(folder, path)));
-  if (body === undefined || body === '') return refuse(404, `there is no ${path}`);
+  const body = files?.get(path) ?? (folder === undefined ? undefined : await readServed(folder, path));
+  if (body === undefined) return refuse(404, `there is no ${path}`);
   send(200, type, body);
 }
 
-/** The path asked for, decoded, with index.html where it names a folder; null if it leads out of the root. */
+/** The path asked for, decoded, with index.html where it names a folder; null if it is no path. */
 function requestedPath(url: string): string | null {
   try {
-    const path = decodeURIComponent(new URL(url, 'http://localhost').pathname);
-    if (path.includes('\0') || normalize(path).split(sep).includes('..')) return null;
+    // An absolute path has no `..` left once it is normal, so it cannot lead out of the root.
+    const path = posix.normalize(decodeURIComponent(new URL(url, 'http://localhost').pathname));
+    if (!path.startsWith('/') || /[\0\\]/.test(path)) return null;
     return path.endsWith('/') ? `${path}index.html` : path;
   } catch {
     return null;

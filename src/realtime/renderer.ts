@@ -76,6 +76,8 @@ export class RealtimeRenderer {
     // The output pass does both, so that three.js needs no third buffer for them.
     three.toneMapping = NoToneMapping;
     three.outputColorSpace = LinearSRGBColorSpace;
+    // So that the figures are those of both halves of a frame.
+    three.info.autoReset = false;
     const type = precision === 'float' ? FloatType : HalfFloatType;
     this.#radiance = new RenderTarget(1, 1, { type, samples: samples === 1 ? 0 : samples });
     this.#output = new OutputPass(this.#radiance.texture);
@@ -100,6 +102,7 @@ export class RealtimeRenderer {
 
   render({ scene, camera }: Renderable, view: ViewSettings, size: Size): void {
     this.#fit(camera, view, size);
+    this.three.info.reset();
     this.three.setRenderTarget(this.#radiance);
     this.three.render(scene, camera);
     this.three.setRenderTarget(null);

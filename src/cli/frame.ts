@@ -1,0 +1,81 @@
+import { type ExrImage, encodeExr } from '../io/exr.ts';
+import { encodePng } from '../io/png.ts';
+import { type Radiance, RealtimeRenderer, type Size } from '../realtime/renderer.ts';
+import { AssetLoader } from '../scene/assets.ts';
+import { SceneMirror } from '../scene/mirror.ts';
+import type { Document } from '../scene/schema.ts';
+import { CliError } from './command.ts';
+import type { DeviceChoice } from './gpu.ts';
+import { nodeAssets } from './node-assets.ts';
+import { createNodeRenderer } from './node-renderer.ts';
+
+export interface FrameOptions extends Size {
+  format: 'png' | 'exr';
+  device: DeviceChoice;
+  /** Goes into the EXR's header. */
+  software: string;
+}
+
+/** One frame of a document by the interactive renderer, as a file. */
+export async function renderFrame(document: Document, options: FrameOptions): Promise<Uint8Array> {
+  const { width, height, format } = options;
+  const node = await createNodeRenderer(options);
+  const largest = node.gpu.device.limits.maxTextureDimension2D;
+  const scale = format === 'exr' ? SUPERSAMPLING : 1;
+  if (Math.max(width, height) * scale > largest) {
+    throw new CliError(
+      `--size ${width}x${height}: at most ${Math.floor(largest / scale)} pixels a side for ${format}`,
+    );
+  }
+  const mirror = await mirrorOf(document);
+  const settings = format === 'exr' ? ({ samples: 1, precision: 'float' } as const) : {};
+  const renderer = new RealtimeRenderer(node.renderer, settings);
+  const view = { ...document.view, resolutionScale: scale };
+  await renderer.compile(mirror, view, options);
+  renderer.render(mirror, view, options);
+  if (format === 'png') return encodePng(await renderer.readImage(view), width, height);
+  return encodeExr(exrImage(await renderer.readRadiance(), options.software));
+}
+
+/** Samples per pixel along each side for floats, which GPUs do not multisample. */
+const SUPERSAMPLING = 2;
+
+async function mirrorOf(document: Document): Promise<SceneMirror> {
+  const faults: string[] = [];
+  const mirror = new SceneMirror({
+    assets: new AssetLoader(nodeAssets),
+    onError: (message) => faults.push(message),
+  });
+  mirror.apply(document);
+  await mirror.settled();
+  if (faults.length) throw new CliError(faults.join('\nirradia: '));
+  return mirror;
+}
+
+function exrImage(radiance: Radiance, software: string): ExrImage {
+  const width = radiance.width / SUPERSAMPLING;
+  const height = radiance.height / SUPERSAMPLING;
+  const channels = ['R', 'G', 'B'].map((name, channel) => ({
+    name,
+    type: 'float' as const,
+    pixels: averaged(radiance, channel, width, height),
+  }));
+  return { width, height, channels, attributes: { software } };
+}
+
+/** One channel, each pixel the mean of its samples. */
+function averaged(
+  { pixels, width: stride }: Radiance,
+  channel: number,
+  width: number,
+  height: number,
+): Float32Array {
+  const out = new Float32Array(width * height);
+  for (let y = 0; y < height * SUPERSAMPLING; y++) {
+    for (let x = 0; x < width * SUPERSAMPLING; x++) {
+      const at = Math.floor(y / SUPERSAMPLING) * width + Math.floor(x / SUPERSAMPLING);
+      out[at]! += pixels[(y * stride + x) * 4 + channel]! / SUPERSAMPLING ** 2;
+    }
+  }
+  return out;
+}
