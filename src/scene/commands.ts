@@ -9,7 +9,7 @@ import { type AddableGeometry, geometryDefaults, geometryNames } from './geometr
 import { type LightType, lightDefaults } from './light-schema.ts';
 import { putMaterial } from './material-commands.ts';
 import { freeId, freeName } from './names.ts';
-import { type Geometry, type Light, objectDefaults } from './schema.ts';
+import { type Asset, type Geometry, type Light, objectDefaults } from './schema.ts';
 import type { DocumentStore, Draft } from './store.ts';
 import { assetsOf } from './validate.ts';
 
@@ -44,20 +44,17 @@ export function addObject(store: DocumentStore, type: AddableGeometry, material?
   return id;
 }
 
-/** Adds a file's bytes (base64); the same bytes are kept once. Returns the asset's id. */
+/** Puts a file (base64) into a draft; the same bytes are kept once. Returns the asset's id. */
 export function putAsset(draft: Draft, name: string, mediaType: string, data: string): string {
-  for (const [id, asset] of Object.entries(draft.assets))
-    if (asset.mediaType === mediaType && asset.data === data) return id;
-  const id = freeId(name.replace(/\.[A-Za-z0-9]+$/, ''), draft.assets);
-  draft.assets[id] = { name: name.slice(0, 200), mediaType, data };
-  return id;
+  return keepAsset(draft, { name: name.slice(0, 200), mediaType, data });
 }
 
-export function addAsset(store: DocumentStore, name: string, mediaType: string, data: string): string {
-  let id = '';
-  store.edit(`Add ${name}`, (draft) => {
-    id = putAsset(draft, name, mediaType, data);
-  });
+/** The same for an asset that is in use already: what was decoded of this very object stays decoded. */
+export function keepAsset(draft: Draft, asset: Asset): string {
+  for (const [id, { mediaType, data }] of Object.entries(draft.assets))
+    if (mediaType === asset.mediaType && data === asset.data) return id;
+  const id = freeId(asset.name.replace(/\.[A-Za-z0-9]+$/, ''), draft.assets);
+  draft.assets[id] = asset;
   return id;
 }
 

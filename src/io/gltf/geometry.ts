@@ -11,11 +11,9 @@ import * as THREE from 'three/webgpu';
 import { GltfError } from './error.ts';
 import type { GltfFile } from './file.ts';
 import { writeGlb } from './glb.ts';
+import { isSurface } from './schema.ts';
 
 export type Geometries = (node: number, primitive: number) => Promise<THREE.BufferGeometry>;
-
-/** Triangles, strips and fans; points and lines have no surface to reflect light. */
-export const isSurface = (mode: number): boolean => mode >= 4;
 
 export async function openGeometries(file: GltfFile, draco: () => DRACOLoader): Promise<Geometries> {
   const { json, name } = file;

@@ -59,6 +59,9 @@ const primitive = z.looseObject({
   targets: z.array(z.record(z.string(), index)).max(256).optional(),
   extensions,
 });
+/** Triangles, strips and fans; points and lines have no surface to reflect light. */
+export const isSurface = (mode: number): boolean => mode >= 4;
+
 const mesh = z.looseObject({ name, primitives: z.array(primitive).min(1).max(100_000) });
 
 const vector3 = z.tuple([finite, finite, finite]);

@@ -1,0 +1,174 @@
+/** The nodes of a glTF scene as objects, lights and a camera of a document, in world space. */
+import * as THREE from 'three/webgpu';
+import { lightDefaults } from '../../scene/light-schema.ts';
+import type { Camera, Light, SceneObject } from '../../scene/schema.ts';
+import type { Notes } from './notes.ts';
+import { type Gltf, type GltfNode, isSurface, lightsSchema } from './schema.ts';
+
+export interface GltfObject {
+  object: Omit<SceneObject, 'material' | 'geometry'>;
+  node: number;
+  primitive: number;
+  material: number | undefined;
+}
+
+export interface GltfContents {
+  objects: GltfObject[];
+  lights: Light[];
+  camera: Camera | null;
+}
+
+type Vector = [number, number, number];
+
+export function convertNodes(gltf: Gltf, notes: Notes): GltfContents {
+  const contents: GltfContents = { objects: [], lights: [], camera: null };
+  const lights = lightsSchema.safeParse(gltf.extensions?.KHR_lights_punctual).data?.lights ?? [];
+  for (const { index, node, world } of walk(gltf)) {
+    addMesh(contents, gltf, index, node, world, notes);
+    const punctual = node.extensions?.KHR_lights_punctual as { light?: unknown } | undefined;
+    const light = typeof punctual?.light === 'number' ? lights[punctual.light] : undefined;
+    if (light !== undefined) contents.lights.push(convertLight(light, node, world));
+    if (node.camera !== undefined && contents.camera === null)
+      contents.camera = convertCamera(gltf.cameras[node.camera], world, notes);
+    if (node.extensions?.EXT_mesh_gpu_instancing)
+      notes.add(`${nameOf(node, index)}: only one of its instances is shown`);
+  }
+  return contents;
+}
+
+/** Every node of the scene with its world matrix, parents first. Without recursion: depth is the file's. */
+function* walk(gltf: Gltf): Generator<{ index: number; node: GltfNode; world: THREE.Matrix4 }> {
+  const children = new Set(gltf.nodes.flatMap((node) => node.children));
+  const roots =
+    gltf.scenes[gltf.scene ?? 0]?.nodes ?? [...gltf.nodes.keys()].filter((index) => !children.has(index));
+  const pending = [...roots].reverse().map((index) => ({ index, parent: new THREE.Matrix4() }));
+  const seen = new Set<number>();
+  for (let next = pending.pop(); next !== undefined; next = pending.pop()) {
+    const { index, parent } = next;
+    const node = gltf.nodes[index];
+    if (node === undefined || seen.has(index)) continue;
+    seen.add(index);
+    const world = localMatrix(node).premultiply(parent);
+    yield { index, node, world };
+    for (const child of [...node.children].reverse()) pending.push({ index: child, parent: world });
+  }
+}
+
+function localMatrix({ matrix, translation, rotation, scale }: GltfNode): THREE.Matrix4 {
+  if (matrix !== undefined) return new THREE.Matrix4().fromArray(matrix);
+  return new THREE.Matrix4().compose(
+    new THREE.Vector3(...(translation ?? [0, 0, 0])),
+    new THREE.Quaternion(...(rotation ?? [0, 0, 0, 1])).normalize(),
+    new THREE.Vector3(...(scale ?? [1, 1, 1])),
+  );
+}
+
+const nameOf = (node: GltfNode, index: number): string =>
+  (node.name ?? '').slice(0, 180) || `Node ${index + 1}`;
+
+function addMesh(
+  contents: GltfContents,
+  gltf: Gltf,
+  index: number,
+  node: GltfNode,
+  world: THREE.Matrix4,
+  notes: Notes,
+): void {
+  const mesh = node.mesh === undefined ? undefined : gltf.meshes[node.mesh];
+  if (mesh === undefined) return;
+  const name = (node.name || mesh.name || `Mesh ${index + 1}`).slice(0, 180);
+  if (node.skin !== undefined) notes.add(`${name}: its skeleton is not read; it is shown in its bind pose`);
+  // 3.7.3.3: the transform of a skinned mesh's node does not count.
+  const place =
+    node.skin === undefined ? decompose(world, name, notes) : decompose(new THREE.Matrix4(), name, notes);
+  for (const [primitive, { mode, material, targets, attributes }] of mesh.primitives.entries()) {
+    if (!isSurface(mode)) {
+      notes.add(`${name}: points and lines have no surface and are left out`);
+      continue;
+    }
+    if (targets !== undefined && targets.length > 0) notes.add(`${name}: its morph targets are not read`);
+    if (attributes.COLOR_0 !== undefined) notes.add(`${name}: its vertex colours are not read`);
+    const part = mesh.primitives.length > 1 ? ` ${primitive + 1}` : '';
+    contents.objects.push({
+      object: { name: name + part, visible: true, ...place },
+      node: index,
+      primitive,
+      material,
+    });
+  }
+}
+
+function decompose(world: THREE.Matrix4, name: string, notes: Notes) {
+  const position = new THREE.Vector3();
+  const quaternion = new THREE.Quaternion();
+  const scale = new THREE.Vector3();
+  world.decompose(position, quaternion, scale);
+  const again = new THREE.Matrix4().compose(position, quaternion, scale);
+  const error = Math.max(...again.elements.map((value, i) => Math.abs(value - (world.elements[i] ?? 0))));
+  const size = Math.max(...world.elements.slice(0, 12).map(Math.abs));
+  if (error > 1e-3 * size) notes.add(`${name}: it is sheared, which is approximated`);
+  const euler = new THREE.Euler().setFromQuaternion(quaternion, 'XYZ');
+  const rotation: Vector = [euler.x, euler.y, euler.z].map(THREE.MathUtils.radToDeg) as Vector;
+  return { position: position.toArray(), rotation, scale: scale.toArray() };
+}
+
+/** Lights and cameras look along their -z; the target is a point on the way. */
+function aim(world: THREE.Matrix4, distance: number): { position: Vector; target: Vector } {
+  const position = new THREE.Vector3().setFromMatrixPosition(world);
+  const direction = new THREE.Vector3(0, 0, -1).transformDirection(world);
+  return { position: position.toArray(), target: direction.multiplyScalar(distance).add(position).toArray() };
+}
+
+type Punctual = NonNullable<ReturnType<typeof lightsSchema.parse>['lights'][number]>;
+
+/** KHR_lights_punctual: candela for point and spot, lux for directional, as here. */
+function convertLight(light: Punctual, node: GltfNode, world: THREE.Matrix4): Light {
+  const { position, target } = aim(world, 5);
+  // Brightness beyond 1 is for the intensity; here a colour is a colour.
+  const brightest = Math.max(...light.color, 1);
+  const intensity = THREE.MathUtils.clamp(light.intensity * brightest, 0, 1e9);
+  const color = light.color.map((value) => THREE.MathUtils.clamp(value / brightest, 0, 1)) as Vector;
+  const name = (light.name || node.name || lightDefaults[light.type].name).slice(0, 180);
+  const range = THREE.MathUtils.clamp(light.range ?? 0, 0, 1e6);
+  switch (light.type) {
+    case 'directional':
+      return { ...lightDefaults.directional, name, color, illuminance: intensity, position, target };
+    case 'point':
+      return { ...lightDefaults.point, name, color, intensity, position, range };
+    case 'spot': {
+      const inner = light.spot?.innerConeAngle ?? 0;
+      const outer = THREE.MathUtils.clamp(light.spot?.outerConeAngle ?? Math.PI / 4, 0.002, Math.PI / 2);
+      return {
+        ...lightDefaults.spot,
+        name,
+        color,
+        intensity,
+        position,
+        target,
+        range,
+        exponent: 0,
+        cutoff: THREE.MathUtils.radToDeg(outer),
+        penumbra: THREE.MathUtils.clamp(1 - inner / outer, 0, 1),
+      };
+    }
+  }
+}
+
+function convertCamera(
+  camera: Gltf['cameras'][number] | undefined,
+  world: THREE.Matrix4,
+  notes: Notes,
+): Camera | null {
+  const { perspective } = camera ?? {};
+  if (perspective === undefined) {
+    notes.add('its camera is orthographic and is left out');
+    return null;
+  }
+  const near = THREE.MathUtils.clamp(perspective.znear, 1e-4, 1e4);
+  return {
+    fov: THREE.MathUtils.clamp(THREE.MathUtils.radToDeg(perspective.yfov), 1, 170),
+    ...aim(world, Math.max(5, near * 2)),
+    near,
+    far: THREE.MathUtils.clamp(perspective.zfar ?? 1000, near * 2, 1e7),
+  };
+}
