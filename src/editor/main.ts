@@ -50,15 +50,16 @@ installTooltip();
 const store = new DocumentStore(createDocument());
 const state = new EditorStateStore();
 const unsaved = trackUnsaved(store);
+const assets = new AssetLoader(pageAssets);
 const mirror = new SceneMirror({
-  assets: new AssetLoader(pageAssets),
+  assets,
   onError: (message) => toast('error', 'A part of the scene is missing', message),
 });
 
 const session: Session = {
   store,
   state,
-  openFiles: (files) => openFiles({ store, state, replaceDocument }, files),
+  openFiles: (files) => openFiles({ store, state, assets, replaceDocument }, files),
   chooseFiles,
 };
 

@@ -33,6 +33,11 @@ describe('frame times', () => {
     expect(percentile(hundred, 0.95)).toBe(95);
     expect(percentile(hundred, 0.99)).toBe(99);
     expect(percentile([], 0.5)).toBeNaN();
-    expect(times(500, 400, 300, 200).statistics(1600)).toMatchObject({ count: 4, p50: 300, p99: 500, fps: 3 });
+    expect(times(500, 400, 300, 200).statistics(1600)).toMatchObject({
+      count: 4,
+      p50: 300,
+      p99: 500,
+      fps: 3,
+    });
   });
 });

@@ -2,18 +2,20 @@
  * Files into the scene, whichever way they come: dropped, opened, or handed over by the server.
  * What cannot be read changes nothing and says what is wrong with it.
  */
-import { putAsset } from '../../scene/commands.ts';
+import type { AssetLoader } from '../../scene/assets.ts';
+import { keepAsset } from '../../scene/commands.ts';
 import { parseDocument } from '../../scene/document.ts';
 import { addModel, setMaterialModel } from '../../scene/material-commands.ts';
 import type { Document } from '../../scene/schema.ts';
 import type { DocumentStore } from '../../scene/store.ts';
 import type { EditorStateStore } from '../state.ts';
 import { startProgress, toast, toastError } from '../ui/toast.ts';
-import { fileKind, readAsset } from './files.ts';
+import { fileKind, pathOf, readAsset, readBytes } from './files.ts';
 
 export interface OpenContext {
   readonly store: DocumentStore;
   readonly state: EditorStateStore;
+  readonly assets: AssetLoader;
   /** Replaces the scene, unless the person would lose work and decides against it. */
   replaceDocument(document: Document): Promise<boolean>;
 }
@@ -91,20 +93,38 @@ async function openBrdf({ store, state }: OpenContext, file: File): Promise<void
   toast('success', `${store.document.materials[material]?.name} is now ${name}`);
 }
 
-async function openEnvironment({ store }: OpenContext, file: File): Promise<void> {
+async function openEnvironment({ store, assets }: OpenContext, file: File): Promise<void> {
   const asset = await readAsset(file);
+  // What cannot be decoded must not get into the document.
+  (await assets.environment(asset)).dispose();
   store.edit(`Environment ${file.name}`, (draft) => {
-    const id = putAsset(draft, asset.name, asset.mediaType, asset.data);
+    const id = keepAsset(draft, asset);
     draft.environment.source = { type: 'hdr', asset: id };
   });
   toast('success', `${file.name} lights the scene`);
 }
 
+/** Everything in the file, in one undo step; the reader is fetched only now. */
 async function openGltf(
-  _context: OpenContext,
-  _file: File,
-  _all: readonly File[],
-  _onProgress: (text: string, fraction: number | null) => void,
+  { store, state, assets }: OpenContext,
+  file: File,
+  all: readonly File[],
+  onProgress: (text: string, fraction: number | null) => void,
 ): Promise<void> {
-  throw new Error('glTF is not there yet');
+  const read = (part: File) => readBytes(part, (fraction) => onProgress(`Reading ${part.name}`, fraction));
+  const bytes = await read(file);
+  const companions = new Map<string, Uint8Array>();
+  if (/\.gltf$/i.test(file.name)) {
+    for (const other of all) if (other !== file) companions.set(pathOf(other), await read(other));
+  }
+  onProgress(`Decoding ${file.name}`, null);
+  const { importGltf } = await import('../../io/gltf.ts');
+  const { label, recipe, notes } = await importGltf(bytes, file.name, assets, companions);
+  let ids: string[] = [];
+  store.edit(label, (draft) => {
+    ids = recipe(draft);
+  });
+  if (ids[0]) state.select({ kind: 'objects', id: ids[0] });
+  toast('success', `Imported ${file.name}`);
+  if (notes.length > 0) toast('info', `About ${file.name}`, notes.join('\n'));
 }

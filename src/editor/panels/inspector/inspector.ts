@@ -9,7 +9,7 @@ import type { Selection } from '../../state.ts';
 import { h } from '../../ui/dom.ts';
 import { textField } from '../../ui/fields.ts';
 import { tryEdit } from './cell.ts';
-import { lightPanel } from './light.ts';
+import { lightPanel, lightStructure } from './light.ts';
 import { materialPanel, materialStructure } from './material.ts';
 import { objectPanel, objectStructure } from './object.ts';
 import type { InspectorPanel } from './panel.ts';
@@ -40,7 +40,7 @@ export function createInspector(session: Session): HTMLElement {
   const update = () => {
     const { document } = store;
     const { selection } = state.value;
-    const next = structureOf(document, selection);
+    const next = structureOf(session, selection);
     if (next !== structure || !panel) {
       const sameThing = structure.split(' ', 2).join() === next.split(' ', 2).join();
       const scroll = sameThing ? body.scrollTop : 0;
@@ -64,12 +64,13 @@ export function createInspector(session: Session): HTMLElement {
   return element;
 }
 
-function structureOf(document: Document, selection: Selection): string {
+function structureOf(session: Session, selection: Selection): string {
+  const { document } = session.store;
   if (!selection) return `scene ${sceneStructure(document)}`;
   const { kind, id } = selection;
   if (kind === 'objects') return `objects ${objectStructure(document, id)}`;
   if (kind === 'materials') return `materials ${materialStructure(document, id)}`;
-  return `lights ${id} ${document.lights[id]?.type}`;
+  return `lights ${lightStructure(session, id)}`;
 }
 
 function panelFor(session: Session, selection: Selection): InspectorPanel {

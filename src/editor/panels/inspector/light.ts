@@ -12,7 +12,13 @@ import { sliderField } from '../../ui/slider-field.ts';
 import { type Cell, pathCell } from './cell.ts';
 import { type Bound, choiceLabel, labelOf, shapeFields } from './field.ts';
 import type { InspectorPanel } from './panel.ts';
-import { photometricRow, photometricUnits } from './photometric.ts';
+import { chosenUnit, isPhotometric, photometricRow } from './photometric.ts';
+
+/** The panel has to be made anew when this changes. */
+export function lightStructure(session: Session, id: string): string {
+  const type = session.store.document.lights[id]?.type;
+  return type ? `${id} ${type} ${chosenUnit(session, type)}` : '';
+}
 
 export function lightPanel(session: Session, id: string): InspectorPanel {
   const { store, state } = session;
@@ -26,7 +32,7 @@ export function lightPanel(session: Session, id: string): InspectorPanel {
         defaults: { ...lightDefaults[light.type] },
         skip: ['name'],
         custom(name, info, cell) {
-          if (photometricUnits(light.type, name)) return photometricRow(session, id, name, info, cell);
+          if (isPhotometric(light.type, name)) return photometricRow(session, id, light.type, info, cell);
           return info.unit === 'K' && info.nullable ? temperatureRow(labelOf(name), info, cell) : undefined;
         },
       }),

@@ -1,6 +1,5 @@
 /** The scene itself: view, camera, environment, background. */
 
-import { putAsset } from '../../../scene/commands.ts';
 import { type EnvironmentPreset, environmentPresets } from '../../../scene/presets.ts';
 import type { Background, Document, EnvironmentSource } from '../../../scene/schema.ts';
 import {
@@ -14,12 +13,11 @@ import {
   viewDefaults,
   viewShape,
 } from '../../../scene/stage-schema.ts';
-import { ENVIRONMENT_ACCEPT, isEnvironmentAsset, readAsset } from '../../io/files.ts';
+import { ENVIRONMENT_ACCEPT, isEnvironmentAsset } from '../../io/files.ts';
 import type { Session } from '../../session.ts';
 import { h } from '../../ui/dom.ts';
 import { row, selectField } from '../../ui/fields.ts';
 import { section } from '../../ui/section.ts';
-import { toastError } from '../../ui/toast.ts';
 import { pathCell, tryEdit } from './cell.ts';
 import { type Bound, choiceLabel, shapeFields } from './field.ts';
 import type { InspectorPanel } from './panel.ts';
@@ -94,19 +92,7 @@ function environmentChoice(session: Session): Bound {
     tryEdit(store, 'Change environment', (draft) => {
       draft.environment.source = source;
     });
-  const open = async () => {
-    const [file] = await session.chooseFiles(ENVIRONMENT_ACCEPT);
-    if (!file) return;
-    try {
-      const asset = await readAsset(file);
-      tryEdit(store, 'Change environment', (draft) => {
-        const id = putAsset(draft, asset.name, asset.mediaType, asset.data);
-        draft.environment.source = { type: 'hdr', asset: id };
-      });
-    } catch (error) {
-      toastError(`${file.name} could not be read`, error);
-    }
-  };
+  const open = async () => session.openFiles(await session.chooseFiles(ENVIRONMENT_ACCEPT));
   const field = selectField('Environment', [], (value) => {
     const [type, name = ''] = value.split(':');
     if (type === OPEN_FILE) {

@@ -3,7 +3,7 @@
  * an image or shows how it is laid on; an image may be dropped on it.
  */
 import type { Parameter } from '../../../brdf/model.ts';
-import { putAsset } from '../../../scene/commands.ts';
+import { keepAsset } from '../../../scene/commands.ts';
 import {
   type MaterialMap,
   scaledTextureShape,
@@ -35,10 +35,12 @@ export function textureSlot(session: Session, id: string, place: SlotPlace): Bou
   const put = async (file: File) => {
     try {
       const asset = await readAsset(file);
+      // What cannot be decoded must not get into the document.
+      (await createImageBitmap(file)).close();
       tryEdit(store, `Texture of ${label.toLowerCase()}`, (draft) => {
         const target = draft.materials[id];
         if (!target) return;
-        const assetId = putAsset(draft, asset.name, asset.mediaType, asset.data);
+        const assetId = keepAsset(draft, asset);
         writeSlot(target, place, {
           ...(current() ?? textureRef(assetId, guess(place))),
           asset: assetId,

@@ -1,0 +1,159 @@
+/** The built lab in a real browser, for tests that use it as a person does. */
+import { fileURLToPath } from 'node:url';
+import type { Browser, Page } from 'playwright-core';
+import { build } from 'vite';
+import { afterAll } from 'vitest';
+import { startStaticServer } from '../../src/cli/static-server.ts';
+import type { Document } from '../../src/scene/schema.ts';
+import { launchBrowser } from '../support/browser.ts';
+import { watchErrors } from '../support/page.ts';
+
+export interface LabOptions {
+  /** What follows the address: `?scene=thesis`. */
+  query?: string;
+  /** Beside the lab's own files, by path. */
+  files?: Readonly<Record<string, string>>;
+  /** Runs before the page's own scripts. */
+  init?: string;
+  width?: number;
+  height?: number;
+}
+
+export interface Lab {
+  open(options?: LabOptions): Promise<LabPage>;
+}
+
+/** Small, because the GPU is made of software. */
+const SIZE = { width: 900, height: 520 };
+
+export async function openLab(): Promise<Lab> {
+  const built = await buildLab();
+  const browser: Browser = await launchBrowser();
+  const servers: { close(): Promise<void> }[] = [];
+  afterAll(async () => {
+    await browser.close();
+    for (const server of servers) await server.close();
+  });
+  return {
+    async open({ query = '', files = {}, init, width = SIZE.width, height = SIZE.height } = {}) {
+      const server = await startStaticServer({
+        files: new Map([...built, ...Object.entries(files)]),
+        port: 0,
+      });
+      servers.push(server);
+      const page = await browser.newPage({ viewport: { width, height }, acceptDownloads: true });
+      const errors = watchErrors(page);
+      if (init) await page.addInitScript(init);
+      await page.goto(`${server.url}${query}`);
+      return new LabPage(page, errors);
+    },
+  };
+}
+
+export interface Picture {
+  /** Of every pixel. */
+  hash: string;
+  /** How many colours it has. */
+  colors: number;
+}
+
+export class LabPage {
+  constructor(
+    readonly page: Page,
+    /** What the page reported as an error so far. */
+    readonly errors: string[],
+  ) {}
+
+  async ready(): Promise<this> {
+    await this.page.evaluate('irradia.ready');
+    return this;
+  }
+
+  document(): Promise<Document> {
+    return this.page.evaluate('irradia.store.document');
+  }
+
+  /** The picture of the present document, once everything in it is there. */
+  picture(): Promise<Picture> {
+    return this.page.evaluate(`(async () => {
+      const { mirror, viewport, renderer, store } = irradia;
+      await mirror.settled();
+      await viewport.nextFrame();
+      const pixels = await renderer.readImage(store.document.view);
+      const digest = await crypto.subtle.digest('SHA-256', pixels);
+      return {
+        hash: [...new Uint8Array(digest)].map((byte) => byte.toString(16).padStart(2, '0')).join(''),
+        colors: new Set(new Uint32Array(pixels.buffer, pixels.byteOffset, pixels.length / 4)).size,
+      };
+    })()`);
+  }
+
+  /** Lets files fall on the page, or on one element of it. */
+  async drop(
+    files: readonly { name: string; content: Uint8Array | string }[],
+    selector = '.viewport',
+  ): Promise<void> {
+    const data = files.map(({ name, content }) => ({
+      name,
+      base64: Buffer.from(content).toString('base64'),
+    }));
+    const transfer = await this.page.evaluateHandle((list) => {
+      const dataTransfer = new DataTransfer();
+      for (const { name, base64 } of list) {
+        const bytes = Uint8Array.from(atob(base64), (c) => c.charCodeAt(0));
+        dataTransfer.items.add(new File([bytes], name));
+      }
+      return dataTransfer;
+    }, data);
+    for (const type of ['dragover', 'drop']) {
+      await this.page.dispatchEvent(selector, type, { dataTransfer: transfer });
+    }
+  }
+
+  async menu(name: 'File' | 'Add', item: string): Promise<void> {
+    await this.page.click(`.topbar >> text="${name}"`);
+    await this.page.click(`.menu button >> text="${item}"`);
+  }
+
+  select(kind: 'lights' | 'objects' | 'materials', id: string): Promise<void> {
+    return this.page.click(`[data-entity="${kind}/${id}"]`);
+  }
+
+  /** The messages on the screen. */
+  toasts(): Promise<string[]> {
+    return this.page.locator('.toast:not(.progress)').allInnerTexts();
+  }
+
+  waitForToast(text: string): Promise<void> {
+    return this.page
+      .locator(`.toast:not(.progress):has-text(${JSON.stringify(text)})`)
+      .first()
+      .waitFor();
+  }
+
+  /** Drags a slider with the mouse to a part of its track, in several steps. */
+  async dragSlider(selector: string, to: number): Promise<void> {
+    const range = this.page.locator(`${selector} input[type=range]`);
+    await range.scrollIntoViewIfNeeded();
+    const box = await range.boundingBox();
+    if (!box) throw new Error(`no slider at ${selector}`);
+    const y = box.y + box.height / 2;
+    await this.page.mouse.move(box.x + box.width / 2, y);
+    await this.page.mouse.down();
+    await this.page.mouse.move(box.x + box.width * (0.5 + (to - 0.5) / 2), y);
+    await this.page.mouse.move(box.x + box.width * to, y);
+    await this.page.mouse.up();
+  }
+}
+
+async function buildLab(): Promise<Map<string, Uint8Array | string>> {
+  const result = await build({
+    configFile: fileURLToPath(new URL('../../vite.config.ts', import.meta.url)),
+    logLevel: 'error',
+    build: { write: false, minify: false, sourcemap: false },
+  });
+  const { output } = result as {
+    output: { fileName: string; code?: string; source?: Uint8Array | string }[];
+  };
+  return new Map(output.map((file) => [`/${file.fileName}`, file.code ?? file.source ?? '']));
+}

@@ -1,0 +1,35 @@
+/** Every scene that ships opens without a word of complaint and shows something, on both back ends. */
+import { readdirSync } from 'node:fs';
+import { expect, it } from 'vitest';
+import { openLab } from './lab.ts';
+
+const lab = await openLab();
+const scenes = readdirSync(new URL('../../scenes', import.meta.url))
+  .filter((name) => name.endsWith('.json'))
+  .map((name) => name.replace('.json', ''));
+
+it.each(scenes)('%s opens', async (scene) => {
+  const page = await lab.open({ query: `?scene=${scene}` });
+  await page.ready();
+  expect((await page.picture()).colors).toBeGreaterThan(50);
+  expect(page.errors).toEqual([]);
+  expect(await page.toasts()).toEqual([]);
+  await page.page.close();
+});
+
+it('the menu opens another scene', async () => {
+  const page = await (await lab.open()).ready();
+  const first = await page.document();
+  await page.menu('File', 'Thesis demo02');
+  await page.page.waitForFunction(`irradia.store.document.name !== ${JSON.stringify(first.name)}`);
+  expect((await page.picture()).colors).toBeGreaterThan(50);
+  expect(page.errors).toEqual([]);
+});
+
+it('the lab runs on WebGL 2 where there is no WebGPU', async () => {
+  const page = await lab.open({ init: "Object.defineProperty(navigator, 'gpu', { value: undefined });" });
+  await page.ready();
+  expect((await page.picture()).colors).toBeGreaterThan(100);
+  expect(await page.page.locator('.status').textContent()).toContain('WebGL 2');
+  expect(page.errors).toEqual([]);
+});
