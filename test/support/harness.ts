@@ -1,0 +1,85 @@
+import { fileURLToPath } from 'node:url';
+import type { Browser, Page } from 'playwright-core';
+import { build } from 'vite';
+import { startStaticServer } from '../../src/cli/static-server.ts';
+import { alias, repository, target } from '../../vite.shared.config.ts';
+import { launchBrowser } from './browser.ts';
+
+/**
+ * Runs a TypeScript file in a real browser. The file's default export is an async function of one JSON value
+ * that returns a JSON value. Each run gets a fresh page. An error on the page, and anything it logs as an
+ * error, fails the run.
+ */
+export interface PageHarness {
+  run<Result>(argument?: unknown): Promise<Result>;
+  close(): Promise<void>;
+}
+
+export async function openHarness(entry: URL): Promise<PageHarness> {
+  const files = new Map<string, Uint8Array | string>(await bundle(fileURLToPath(entry)));
+  files.set(
+    '/index.html',
+    '<!doctype html><html lang="en"><script type="module" src="main.js"></script></html>',
+  );
+  const server = await startStaticServer({ files, port: 0 });
+  const browser = await launchBrowser();
+  return {
+    run: <Result>(argument?: unknown) => runPage<Result>(browser, server.url, argument),
+    async close() {
+      await browser.close();
+      await server.close();
+    },
+  };
+}
+
+async function runPage<Result>(browser: Browser, url: string, argument: unknown): Promise<Result> {
+  const page = await browser.newPage({ viewport: { width: 640, height: 360 } });
+  try {
+    const errors = watchErrors(page);
+    await page.goto(url);
+    // A string, because Vitest rewrites the import() of a function.
+    const call = `import('./main.js').then((m) => m.default(${JSON.stringify(argument) ?? ''}))`;
+    const result = await page.evaluate<Result>(call);
+    if (errors.length) throw new Error(`the page reported:\n${errors.join('\n')}`);
+    return result;
+  } finally {
+    await page.close();
+  }
+}
+
+/** Collects what the page says went wrong, from now on. */
+export function watchErrors(page: Page): string[] {
+  const errors: string[] = [];
+  page.on('pageerror', (error) => errors.push(error.stack ?? error.message));
+  page.on('console', (message) => {
+    // Browsers ask for this one by themselves.
+    if (message.type() === 'error' && !message.location().url.endsWith('/favicon.ico'))
+      errors.push(message.text());
+  });
+  return errors;
+}
+
+async function bundle(entry: string): Promise<[string, Uint8Array | string][]> {
+  const result = await build({
+    configFile: false,
+    root: repository,
+    publicDir: false,
+    logLevel: 'warn',
+    resolve: { alias },
+    build: {
+      target,
+      write: false,
+      minify: false,
+      chunkSizeWarningLimit: 10_000,
+      rolldownOptions: {
+        input: { main: entry },
+        preserveEntrySignatures: 'strict',
+        output: { entryFileNames: '[name].js' },
+      },
+    },
+  });
+  const { output } = result as {
+    output: { fileName: string; code?: string; source?: Uint8Array | string }[];
+  };
+  return output.map((file) => [`/${file.fileName}`, file.code ?? file.source ?? '']);
+}
