@@ -61,7 +61,7 @@ export function sliderField(options: SliderFieldOptions): SliderField {
   const paint = (value: number) => {
     const tick = Math.min(TICKS, Math.max(0, toTick(value)));
     range.value = String(Math.round(tick));
-    range.style.setProperty('--fill', `${(tick / TICKS) * 100}%`);
+    range.style.setProperty('--fill', String(tick / TICKS));
     range.classList.toggle('beyond', value < min - 1e-9 || value > max + 1e-9);
   };
   range.addEventListener('pointerdown', () => {
@@ -70,7 +70,7 @@ export function sliderField(options: SliderFieldOptions): SliderField {
   range.addEventListener('input', () => {
     gesture ??= newGesture();
     const value = toValue(Number(range.value));
-    range.style.setProperty('--fill', `${(Number(range.value) / TICKS) * 100}%`);
+    range.style.setProperty('--fill', String(Number(range.value) / TICKS));
     range.classList.remove('beyond');
     number.show(value);
     options.onChange(value, gesture);

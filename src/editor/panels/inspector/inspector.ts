@@ -2,6 +2,7 @@
  * The inspector shows the fields of what is selected. It is built anew only when other fields are
  * needed; otherwise every field is updated in place, so that a slider survives its own drag.
  */
+import { geometryNames } from '../../../scene/geometry-schema.ts';
 import type { Document } from '../../../scene/schema.ts';
 import { renameEntity } from '../../commands.ts';
 import type { Session } from '../../session.ts';
@@ -87,5 +88,6 @@ function panelFor(session: Session, selection: Selection): InspectorPanel {
 
 function kindName(document: Document, { kind, id }: NonNullable<Selection>): string {
   if (kind === 'lights') return `${document.lights[id]?.type ?? ''} light`;
-  return kind === 'objects' ? (document.objects[id]?.geometry.type ?? 'object') : 'material';
+  const object = kind === 'objects' ? document.objects[id] : undefined;
+  return object ? geometryNames[object.geometry.type] : 'Material';
 }

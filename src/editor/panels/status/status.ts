@@ -135,7 +135,9 @@ function put(element: HTMLElement, text: string): void {
 }
 
 function milliseconds(value: number): string {
-  return Number.isNaN(value) ? '–' : `${value < 100 ? value.toFixed(1) : Math.round(value)} ms`;
+  if (Number.isNaN(value)) return '–';
+  if (value >= 1000) return `${(value / 1000).toFixed(2)} s`;
+  return `${value < 100 ? value.toFixed(1) : Math.round(value)} ms`;
 }
 
 function grouped(value: number): string {
