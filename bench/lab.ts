@@ -1,0 +1,103 @@
+import { join } from 'node:path';
+import { gzipSync } from 'node:zlib';
+import type { Browser, Page } from 'playwright-core';
+import { startStaticServer } from '../src/cli/static-server.ts';
+import type { Model } from '../src/glsl/model.ts';
+import type { Document } from '../src/scene/schema.ts';
+import { repository } from '../vite.shared.config.ts';
+
+/** What the page offers to a console, as far as it is used here. */
+interface Lab {
+  ready: Promise<void>;
+  store: {
+    document: Document;
+    edit(label: string, recipe: (draft: { materials: Record<string, EditedMaterial> }) => void): void;
+  };
+  mirror: { materialFor(id: string): { model: Model } | undefined };
+  viewport: { nextFrame(): Promise<void> };
+}
+interface EditedMaterial {
+  parameters: Record<string, unknown>;
+}
+declare const irradia: Lab;
+declare const compiled: { count: number };
+
+export interface LabResult {
+  /** From navigation until the default scene is complete on the screen, in ms. */
+  readyMs: number;
+  /** JavaScript that the page loaded for that. */
+  scripts: { name: string; gzipBytes: number }[];
+  /** Shaders, programs and pipelines made because a parameter changed. */
+  compiledByChange: number;
+}
+
+export async function measureLab(browser: Browser): Promise<LabResult> {
+  const server = await startStaticServer({ folder: join(repository, 'dist/lab'), port: 0 });
+  const context = await browser.newContext({ viewport: { width: 1280, height: 720 } });
+  try {
+    const page = await context.newPage();
+    await page.addInitScript(countCompilations);
+    const scripts = collectScripts(page);
+    await page.goto(server.url, { waitUntil: 'commit' });
+    await page.waitForFunction('window.irradia');
+    const readyMs = await page.evaluate(async () => {
+      await irradia.ready;
+      return performance.now();
+    });
+    const compiledByChange = await page.evaluate(changeParameters);
+    return { readyMs, scripts: await scripts(), compiledByChange };
+  } finally {
+    await context.close();
+    await server.close();
+  }
+}
+
+/** Runs on the page before anything else does. */
+function countCompilations(): void {
+  const counter = { count: 0 };
+  Object.assign(window, { compiled: counter });
+  const count = <T extends object>(prototype: T | undefined, names: (keyof T)[]) => {
+    for (const name of names) {
+      const original = prototype?.[name] as unknown as (...values: unknown[]) => unknown;
+      if (!prototype || !original) continue;
+      prototype[name] = function (this: unknown, ...values: unknown[]) {
+        counter.count++;
+        return original.apply(this, values);
+      } as unknown as T[typeof name];
+    }
+  };
+  const gpu = [
+    'createShaderModule',
+    'createRenderPipeline',
+    'createRenderPipelineAsync',
+    'createComputePipeline',
+  ] as const;
+  count(globalThis.GPUDevice?.prototype, [...gpu]);
+  count(WebGL2RenderingContext.prototype, ['compileShader', 'linkProgram']);
+}
+
+/** Runs on the page: moves every number of every material, a frame each. */
+async function changeParameters(): Promise<number> {
+  const before = compiled.count;
+  for (const id of Object.keys(irradia.store.document.materials)) {
+    for (const parameter of irradia.mirror.materialFor(id)?.model.parameters ?? []) {
+      if (parameter.type !== 'float') continue;
+      irradia.store.edit('Bench', (draft) => {
+        const parameters = draft.materials[id]?.parameters ?? {};
+        parameters[parameter.name] = parameter.min + 0.37 * (parameter.max - parameter.min);
+      });
+      await irradia.viewport.nextFrame();
+    }
+  }
+  return compiled.count - before;
+}
+
+function collectScripts(page: Page): () => Promise<LabResult['scripts']> {
+  const pending: Promise<LabResult['scripts'][number]>[] = [];
+  page.on('response', (response) => {
+    if (!response.headers()['content-type']?.startsWith('text/javascript')) return;
+    const name = new URL(response.url()).pathname;
+    pending.push(response.body().then((body) => ({ name, gzipBytes: gzipSync(body).length })));
+  });
+  return () => Promise.all(pending);
+}

@@ -1,0 +1,51 @@
+/** `npm run bench`: prints what docs/benchmarks.md keeps. All on the software GPU of the tests' browser. */
+import { launchBrowser } from '../test/support/browser.ts';
+import { openHarness } from '../test/support/harness.ts';
+import { measureLab } from './lab.ts';
+import type { SpheresRequest, SpheresResult } from './spheres.page.ts';
+
+const FRAMES = 25;
+const NAVIGATIONS = 5;
+
+function median(values: readonly number[]): number {
+  const sorted = [...values].sort((a, b) => a - b);
+  const middle = sorted.length >> 1;
+  return sorted.length % 2
+    ? (sorted[middle] as number)
+    : ((sorted[middle - 1] as number) + (sorted[middle] as number)) / 2;
+}
+
+async function benchSpheres(): Promise<void> {
+  const harness = await openHarness(new URL('./spheres.page.ts', import.meta.url));
+  console.log('20 spheres, 4 lights, 640 x 360: median ms of a frame, the empty scene subtracted\n');
+  console.log('| back end | principled | physical | ratio | all lobes: principled | physical | ratio |');
+  console.log('| --- | --- | --- | --- | --- | --- | --- |');
+  for (const forceWebGL of [false, true]) {
+    const request: SpheresRequest = { forceWebGL, frames: FRAMES };
+    const { backend, times } = await harness.run<SpheresResult>(request);
+    const empty = median(times.empty ?? []);
+    const cost = (name: string) => median(times[name] ?? []) - empty;
+    const cells = ['', ', all lobes'].flatMap((lobes) => {
+      const [ours, theirs] = [cost(`principled${lobes}`), cost(`physical${lobes}`)];
+      return [ours.toFixed(1), theirs.toFixed(1), (ours / theirs).toFixed(2)];
+    });
+    console.log(`| ${[backend, ...cells].join(' | ')} |`);
+  }
+  await harness.close();
+}
+
+async function benchLab(): Promise<void> {
+  const browser = await launchBrowser();
+  const results = [];
+  for (let i = 0; i < NAVIGATIONS; i++) results.push(await measureLab(browser));
+  await browser.close();
+  const [{ scripts, compiledByChange }] = results as [(typeof results)[number]];
+  const kilobytes = scripts.reduce((sum, { gzipBytes }) => sum + gzipBytes, 0) / 1000;
+  const times = results.map(({ readyMs }) => Math.round(readyMs));
+  console.log(`\nThe default scene is complete after ${median(times)} ms (of ${times.join(', ')})`);
+  console.log(`JavaScript loaded for it: ${kilobytes.toFixed(0)} kB gzip in ${scripts.length} files`);
+  console.log(`Shaders and pipelines compiled by changes of parameters: ${compiledByChange}`);
+}
+
+await benchSpheres();
+await benchLab();
