@@ -3,10 +3,11 @@
  * one field need no command of their own: `setField` makes them. Commands for materials and
  * models are in material-commands.ts.
  */
+import type { z } from 'zod';
 import { entity, namesOf } from './entity.ts';
 import { DocumentError, type Path, pathText } from './error.ts';
-import { type AddableGeometry, geometryDefaults, geometryNames } from './geometry-schema.ts';
-import { type LightType, lightDefaults } from './light-schema.ts';
+import { type AddableGeometry, geometryDefaults, geometryNames, geometryShapes } from './geometry-schema.ts';
+import { type LightType, lightDefaults, lightShapes } from './light-schema.ts';
 import { putMaterial } from './material-commands.ts';
 import { freeId, freeName } from './names.ts';
 import { type Asset, type Geometry, type Light, objectDefaults } from './schema.ts';
@@ -145,11 +146,16 @@ function fieldLabel(path: Path): string {
   return name.replace(/([a-z])([A-Z])/g, '$1 $2').toLowerCase();
 }
 
-/** What two types have in common stays as it was. */
-function carried(from: object, to: object): object {
+/**
+ * What two types have in common stays as it was, as far as the new type allows. The fineness of
+ * a mesh does not: how many segments are enough depends on the shape.
+ */
+function carried(from: object, to: object, shape: Readonly<Record<string, z.ZodType>>): object {
   const result: Record<string, unknown> = { ...structuredClone(to) };
-  for (const [key, value] of Object.entries(from))
-    if (key !== 'type' && key in result) result[key] = structuredClone(value);
+  for (const [key, value] of Object.entries(from)) {
+    const wanted = key !== 'type' && !/segments$/i.test(key) && Object.hasOwn(result, key);
+    if (wanted && shape[key]?.safeParse(value).success) result[key] = structuredClone(value);
+  }
   return result;
 }
 
@@ -157,7 +163,7 @@ function carried(from: object, to: object): object {
 export function setLightType(store: DocumentStore, id: string, type: LightType): void {
   const light = entity(store.document, 'lights', id);
   store.edit(`Make ${light.name} a ${lightDefaults[type].name.toLowerCase()}`, (draft) => {
-    draft.lights[id] = carried(light, lightDefaults[type]) as Light;
+    draft.lights[id] = carried(light, lightDefaults[type], lightShapes[type]) as Light;
   });
 }
 
@@ -165,6 +171,10 @@ export function setLightType(store: DocumentStore, id: string, type: LightType):
 export function setGeometryType(store: DocumentStore, id: string, type: AddableGeometry): void {
   const { name, geometry } = entity(store.document, 'objects', id);
   store.edit(`Make ${name} a ${geometryNames[type].toLowerCase()}`, (draft) => {
-    entity(draft, 'objects', id).geometry = carried(geometry, geometryDefaults[type]) as Geometry;
+    entity(draft, 'objects', id).geometry = carried(
+      geometry,
+      geometryDefaults[type],
+      geometryShapes[type],
+    ) as Geometry;
   });
 }

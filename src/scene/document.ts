@@ -69,6 +69,11 @@ function checkExtent(json: object, fileName: string): void {
       ]);
     for (const [key, child] of Object.entries(value)) {
       values += 1;
+      // Validators pass over it in silence.
+      if (key === '__proto__')
+        throw new DocumentError(fileName, [
+          { path: pathText([...path, key]), message: 'not a name or an id' },
+        ]);
       if (values > maxValues) throw whole(fileName, `more than ${maxValues} values`);
       if (typeof child === 'object' && child !== null)
         pending.push([[...path, Array.isArray(value) ? Number(key) : key], child]);

@@ -1,5 +1,6 @@
 /** The light types of a document, their units and their defaults. */
 import { z } from 'zod';
+import { TEMPERATURE_RANGE } from '../lights/units.ts';
 import { boolean, choice, color, number, numberOrNull, text, vector3, withDefaults } from './fields.ts';
 
 export const nameField = text('Shown in the outliner', 200);
@@ -38,7 +39,7 @@ const common = {
   visible: boolean('Whether the light shines'),
   color: color('Colour of the light, linear Rec. 709; its brightness is a field of its own'),
   temperature: numberOrNull('Colour temperature of a black body; multiplies the colour', {
-    range: [1000, 40000],
+    range: TEMPERATURE_RANGE,
     unit: 'K',
     slider: [1500, 15000],
     step: 10,

@@ -25,6 +25,8 @@ export class EnvironmentMirror {
     this.#setSource(document);
     const scene = this.#scene;
     const rotation = THREE.MathUtils.degToRad(environment.rotation);
+    // Where BrdfMaterial looks for it.
+    scene.userData.environmentSamples = environment.samples;
     scene.environmentIntensity = environment.intensity;
     scene.environmentRotation.set(0, rotation, 0);
     scene.backgroundIntensity = background.type === 'environment' ? environment.intensity : 1;
