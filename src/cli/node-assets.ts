@@ -1,4 +1,5 @@
 import type { AssetPlatform } from '../scene/assets.ts';
+import { NodeDracoLoader } from './node-draco.ts';
 import { decodeImage, flipRows } from './node-image.ts';
 
 /** What decoding of a document's assets needs of Node. */
@@ -7,7 +8,5 @@ export const nodeAssets: AssetPlatform = {
     const { width, height, data } = await decodeImage(bytes);
     return { width, height, data: flipRows(data, width * 4) };
   },
-  dracoLoader() {
-    throw new Error('Draco compression needs a browser; save the file without it');
-  },
+  dracoLoader: () => new NodeDracoLoader(),
 };

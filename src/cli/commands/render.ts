@@ -1,13 +1,14 @@
 import { existsSync, readFileSync, writeFileSync } from 'node:fs';
 import { dirname, extname } from 'node:path';
 import { modelSources, shippedModels } from '../../../models/index.ts';
+import { sceneNames } from '../../../scenes/index.ts';
 import type { Document } from '../../scene/schema.ts';
 import { CliError, type Command, UsageError } from '../command.ts';
 import type { DeviceChoice } from '../gpu.ts';
 import { modelArgument } from '../model-argument.ts';
 import { packageVersion } from '../package-root.ts';
 import { previewDocument } from '../preview.ts';
-import { sceneArgument, shippedScenes } from '../scene-argument.ts';
+import { sceneArgument } from '../scene-argument.ts';
 
 const DEFAULT_SIZE = '1280x720';
 const DEVICES: readonly DeviceChoice[] = ['auto', 'gpu', 'software'];
@@ -41,7 +42,7 @@ const command: Command = {
     if (!existsSync(dirname(output)))
       throw new CliError(`-o ${output}: there is no folder ${dirname(output)}`);
     const { width, height } = parseSize(size as string);
-    const document = documentFor(word);
+    const document = await documentFor(word);
 
     // three.js is loaded only now that the call is known to be right.
     const { renderFrame } = await import('../frame.ts');
@@ -68,14 +69,14 @@ function parseSize(text: string): { width: number; height: number } {
 }
 
 /** A scene comes before a model of the same name; a file's ending tells which of the two it is. */
-function documentFor(word: string): Document {
-  if (shippedScenes().includes(word)) return sceneArgument(word).document;
+async function documentFor(word: string): Promise<Document> {
+  if (sceneNames.includes(word)) return (await sceneArgument(word)).document;
   if (shippedModels.has(word)) {
     return previewDocument(modelArgument(word), modelSources.get(`${word}.brdf`) as string);
   }
   if (word.endsWith('.brdf')) return previewDocument(modelArgument(word), readFileSync(word, 'utf8'));
-  if (existsSync(word)) return sceneArgument(word).document;
-  const scenes = shippedScenes().join(', ');
+  if (existsSync(word)) return (await sceneArgument(word)).document;
+  const scenes = sceneNames.join(', ');
   const models = [...shippedModels.keys()].join(', ');
   throw new CliError(
     `there is no scene, model or file '${word}'; scenes that ship: ${scenes}; models: ${models}`,

@@ -38,7 +38,7 @@ const command: Command = {
   arguments: { least: 0, most: 1 },
   async run({ arguments: [scene], options }) {
     const port = parsePort(options.port as string | undefined);
-    const { files, query } = scene === undefined ? { files: new Map(), query: '' } : openedScene(scene);
+    const { files, query } = scene === undefined ? { files: new Map(), query: '' } : await openedScene(scene);
     const folder = join(packageRoot, 'dist/lab');
     if (!existsSync(join(folder, 'index.html'))) {
       throw new CliError('the lab is not built yet; run `npm run build` first');
@@ -58,9 +58,14 @@ const command: Command = {
 
 export default command;
 
+interface Opened {
+  files: Map<string, string>;
+  query: string;
+}
+
 /** The page fetches what `?scene=` names: a scene that ships, or an address of this server. */
-function openedScene(word: string): { files: Map<string, string>; query: string } {
-  const { document, shipped } = sceneArgument(word);
+async function openedScene(word: string): Promise<Opened> {
+  const { document, shipped } = await sceneArgument(word);
   if (shipped) return { files: new Map(), query: `?scene=${shipped}` };
   return { files: new Map([['/scene.json', serializeDocument(document)]]), query: '?scene=/scene.json' };
 }
