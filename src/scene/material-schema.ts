@@ -96,6 +96,8 @@ const parameters = group(
   'Values of the model’s parameters, by name; what is not here has the model’s default',
 );
 
+const texturesField = 'Textures of the model’s parameters, by name: value times texel';
+
 const mapFields = {
   normalMap: 'Tangent space normal map',
   bumpMap: 'Height map that bends the normal',
@@ -125,10 +127,7 @@ const common = {
 
 export const materialShape = {
   ...common,
-  textures: group(
-    z.record(parameterName, textureRefSchema).refine(countIsBounded, tooMany),
-    'Textures of the model’s parameters, by name: value times texel',
-  ),
+  textures: group(z.record(parameterName, textureRefSchema).refine(countIsBounded, tooMany), texturesField),
   normalMap: group(scaledTextureSchema.nullable(), mapFields.normalMap),
   bumpMap: group(scaledTextureSchema.nullable(), mapFields.bumpMap),
   occlusionMap: group(scaledTextureSchema.nullable(), mapFields.occlusionMap),
@@ -161,11 +160,14 @@ export const materialDefaults: Readonly<Material> = {
 export const materialFileSchema = withDefaults(
   {
     ...common,
-    textures: z.record(parameterName, textureRefFileSchema).refine(countIsBounded, tooMany),
-    normalMap: scaledTextureFileSchema.nullable(),
-    bumpMap: scaledTextureFileSchema.nullable(),
-    occlusionMap: scaledTextureFileSchema.nullable(),
-    emissiveMap: scaledTextureFileSchema.nullable(),
+    textures: z
+      .record(parameterName, textureRefFileSchema)
+      .refine(countIsBounded, tooMany)
+      .describe(texturesField),
+    normalMap: scaledTextureFileSchema.nullable().describe(mapFields.normalMap),
+    bumpMap: scaledTextureFileSchema.nullable().describe(mapFields.bumpMap),
+    occlusionMap: scaledTextureFileSchema.nullable().describe(mapFields.occlusionMap),
+    emissiveMap: scaledTextureFileSchema.nullable().describe(mapFields.emissiveMap),
   },
   { ...materialDefaults, model: undefined },
 );

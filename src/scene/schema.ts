@@ -42,6 +42,14 @@ export const collectionLimits = {
   assets: 1024,
 } as const;
 
+const collectionDescriptions = {
+  lights: 'The lights, by id',
+  objects: 'The objects, by id',
+  materials: 'The materials, by id; objects name theirs',
+  models: 'BRDF files that do not ship with Irradia, by name',
+  assets: 'Images, environments and glTF files, by id',
+} as const;
+
 /** Bytes of one asset, before base64. */
 export const maxAssetBytes = 128 * 1024 * 1024;
 export const maxModelLength = 1024 * 1024;
@@ -119,7 +127,7 @@ const collection = <S extends z.ZodType, K extends keyof typeof collectionLimits
     .refine((record) => Object.keys(record).length <= collectionLimits[name], {
       message: `Too many ${name}: at most ${collectionLimits[name]}`,
     })
-    .meta({ maxProperties: collectionLimits[name] });
+    .meta({ maxProperties: collectionLimits[name], description: collectionDescriptions[name] });
 
 export const documentShape = {
   format: z.literal('irradia'),

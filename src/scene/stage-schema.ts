@@ -82,8 +82,11 @@ export const backgroundSchema = z.discriminatedUnion('type', [
 ]);
 
 export const termSchema = z.strictObject({
-  material: id,
-  name: z.string().regex(/^[A-Za-z_][A-Za-z0-9_]{0,63}$/),
+  material: id.describe('The material whose model is looked at'),
+  name: z
+    .string()
+    .regex(/^[A-Za-z_][A-Za-z0-9_]{0,63}$/)
+    .describe('A function of the model with the signature of BRDF()'),
 });
 
 export const viewShape = {

@@ -11,6 +11,8 @@ export class EnvironmentMirror {
   /** What the present texture was made of. */
   #source: string | Asset = 'none';
   #texture: THREE.DataTexture | null = null;
+  /** The texture of a constant environment, while there is one. */
+  #constant: THREE.DataTexture | null = null;
 
   constructor(scene: THREE.Scene, assets: AssetLoader, pending: Pending) {
     this.#scene = scene;
@@ -47,7 +49,7 @@ export class EnvironmentMirror {
     if (identity === this.#source) return;
     this.#source = identity;
     if (source.type === 'none') this.#show(null);
-    else if (source.type === 'constant') this.#show(constantEnvironment(source.color));
+    else if (source.type === 'constant') this.#showConstant(source.color);
     else {
       const loading =
         source.type === 'preset'
@@ -61,11 +63,19 @@ export class EnvironmentMirror {
     }
   }
 
+  /** A colour that is being dragged changes texels: another texture would be another shader. */
+  #showConstant(color: Rgb): void {
+    this.#constant ??= constantEnvironment();
+    fill(this.#constant, color);
+    if (this.#texture !== this.#constant) this.#show(this.#constant);
+  }
+
   #show(texture: THREE.DataTexture | null): void {
     const old = this.#texture;
     this.#texture = texture;
     this.#scene.environment = texture;
     if (old !== null && this.#scene.background === old) this.#scene.background = texture;
+    if (old === this.#constant) this.#constant = null;
     old?.dispose();
   }
 
@@ -80,15 +90,22 @@ export class EnvironmentMirror {
   }
 }
 
+type Rgb = readonly [number, number, number];
+
 /** Small, yet an image like any other: whatever handles environments needs no special case. */
-function constantEnvironment([r, g, b]: readonly [number, number, number]): THREE.DataTexture {
-  const texel = [r, g, b, 1].map((value) => THREE.DataUtils.toHalfFloat(value));
+function constantEnvironment(): THREE.DataTexture {
   const [width, height] = [8, 4];
-  const data = new Uint16Array(Array.from({ length: width * height }, () => texel).flat());
+  const data = new Uint16Array(width * height * 4);
   const texture = new THREE.DataTexture(data, width, height, THREE.RGBAFormat, THREE.HalfFloatType);
   texture.mapping = THREE.EquirectangularReflectionMapping;
   texture.magFilter = THREE.LinearFilter;
   texture.minFilter = THREE.LinearFilter;
-  texture.needsUpdate = true;
   return texture;
+}
+
+function fill(texture: THREE.DataTexture, [r, g, b]: Rgb): void {
+  const texel = [r, g, b, 1].map((value) => THREE.DataUtils.toHalfFloat(value));
+  const { data } = texture.image;
+  for (let at = 0; data !== null && at < data.length; at += 4) data.set(texel, at);
+  texture.needsUpdate = true;
 }
