@@ -19,15 +19,19 @@ export function shaderPrefix(model: Model): string {
       (line) => line.text,
     );
     const table = model.parameters.map(({ type, name }) => `${type} ${name}`);
-    prefix = `brdf${fnv1a([...table, ...lines].join('\n'))}`;
+    prefix = textPrefix([...table, ...lines].join('\n'));
     prefixes.set(model, prefix);
   }
   return prefix;
 }
 
-/** One function as text; what it calls is not included. */
-export function emitFunction(model: Model, f: FunctionIR, language: ShadingLanguage): EmittedFunction {
-  const prefix = shaderPrefix(model);
+/** As shaderPrefix(), for functions of this source. */
+export function textPrefix(source: string): string {
+  return `brdf${fnv1a(source)}`;
+}
+
+/** One function as text; what it calls is not included. @param prefix starts its global names */
+export function emitFunction(prefix: string, f: FunctionIR, language: ShadingLanguage): EmittedFunction {
   return (language === 'wgsl' ? new WgslEmitter(f, prefix) : new GlslEmitter(f, prefix)).emit();
 }
 
@@ -36,7 +40,7 @@ export function emitModule(model: Model, roots: readonly FunctionIR[], language:
   const parts = new Map<string, string>();
   const visit = (f: FunctionIR): void => {
     for (const callee of f.calls) visit(callee);
-    const { name, code, needs } = emitFunction(model, f, language);
+    const { name, code, needs } = emitFunction(shaderPrefix(model), f, language);
     for (const [need, text] of needs) parts.set(need, text);
     if (!parts.has(name)) parts.set(name, code);
   };

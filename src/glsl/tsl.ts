@@ -1,7 +1,10 @@
 import { CodeNode, Node, type NodeBuilder } from 'three/webgpu';
+import { checkProgram } from './check.ts';
 import type { FunctionIR } from './ir.ts';
 import { findFunction, type Model } from './model.ts';
-import { emitFunction, type ShadingLanguage } from './shader-text.ts';
+import { parseGlsl } from './parser.ts';
+import { emitFunction, type ShadingLanguage, shaderPrefix, textPrefix } from './shader-text.ts';
+import { tokenize } from './tokens.ts';
 
 /**
  * Models as TSL nodes. A call of a model is one node; the function's text, in the language of the builder
@@ -46,12 +49,12 @@ class TextNode extends CodeNode {
 const helpers = new Map<string, TextNode>();
 
 class FunctionTextNode extends TextNode {
-  private readonly model: Model;
+  private readonly prefix: string;
   private readonly f: FunctionIR;
 
-  constructor(model: Model, f: FunctionIR, includes: CodeNode[]) {
-    super((language) => emitFunction(model, f, language).code, includes);
-    this.model = model;
+  constructor(prefix: string, f: FunctionIR, includes: CodeNode[]) {
+    super((language) => emitFunction(prefix, f, language).code, includes);
+    this.prefix = prefix;
     this.f = f;
   }
 
@@ -59,7 +62,7 @@ class FunctionTextNode extends TextNode {
   override generate(builder: NodeBuilder): string {
     const language = languageOf(builder);
     for (const include of this.getIncludes(builder)) include.build(builder);
-    for (const [name, code] of emitFunction(this.model, this.f, language).needs) {
+    for (const [name, code] of emitFunction(this.prefix, this.f, language).needs) {
       const key = `${language} ${name}`;
       let node = helpers.get(key);
       if (!node) {
@@ -72,28 +75,25 @@ class FunctionTextNode extends TextNode {
   }
 
   functionName(builder: NodeBuilder): string {
-    return emitFunction(this.model, this.f, languageOf(builder)).name;
+    return emitFunction(this.prefix, this.f, languageOf(builder)).name;
   }
 }
 
 const functionNodes = new WeakMap<FunctionIR, FunctionTextNode>();
 
-function functionNode(model: Model, f: FunctionIR): FunctionTextNode {
+function functionNode(prefix: string, f: FunctionIR): FunctionTextNode {
   let node = functionNodes.get(f);
   if (!node) {
-    node = new FunctionTextNode(
-      model,
-      f,
-      f.calls.map((callee) => functionNode(model, callee)),
-    );
+    const callees = f.calls.map((callee) => functionNode(prefix, callee));
+    node = new FunctionTextNode(prefix, f, callees);
     functionNodes.set(f, node);
   }
   return node;
 }
 
-class ModelCallNode extends Node {
+class FunctionCallTextNode extends Node {
   static get type(): string {
-    return 'ModelCallNode';
+    return 'FunctionCallTextNode';
   }
 
   private readonly callee: FunctionTextNode;
@@ -123,14 +123,14 @@ function createCall(
   const f = findFunction(model, name);
   if (!f)
     throw new RangeError(`${model.name} has no function ${name}(); its terms are ${model.terms.join(', ')}`);
-  const callee = functionNode(model, f);
+  const callee = functionNode(shaderPrefix(model), f);
   const uses = f.uses.map((variable) => {
     const node = parameters[variable.name];
     if (!node) throw new RangeError(`${model.name}: no node was given for parameter ${variable.name}`);
     return { node, type: variable.type.name };
   });
   return (...args) =>
-    new ModelCallNode(callee, f.result.name, [
+    new FunctionCallTextNode(callee, f.result.name, [
       ...args.map((node, i) => ({ node, type: argTypes[i] as string })),
       ...uses,
     ]);
@@ -173,4 +173,24 @@ export function modelSampler(model: Model, parameters: ParameterNodes): SamplerC
 /** pdf() of a model's sampling section as a TSL function, in 1/sr. */
 export function modelPdf(model: Model, parameters: ParameterNodes): PdfCall {
   return createCall(model, 'pdf', parameters, DIRECTIONS) as unknown as PdfCall;
+}
+
+/**
+ * A function of our own, written in GLSL, as a TSL function: where a node per operation would be longer,
+ * or slower (TSL's select() is a branch, GLSL's ?: is not).
+ *
+ * @param source GLSL that defines one function, and those that it calls before it
+ */
+export function glslFunction(source: string): (...args: Node[]) => Node {
+  const lines = source.split('\n').map((text, i) => ({ text, file: 'glslFunction', line: i + 1 }));
+  const { functions } = checkProgram(parseGlsl(tokenize({ lines })), []);
+  const f = functions.at(-1) as FunctionIR;
+  const callee = functionNode(textPrefix(source), f);
+  const types = f.arguments.map(({ variable }) => variable.type.name);
+  return (...args) =>
+    new FunctionCallTextNode(
+      callee,
+      f.result.name,
+      args.map((node, i) => ({ node, type: types[i] as string })),
+    );
 }

@@ -1,0 +1,244 @@
+import {
+  Color,
+  type Node,
+  type NodeBuilder,
+  NodeMaterial,
+  type Scene,
+  type Texture,
+  Vector2,
+} from 'three/webgpu';
+import { BrdfParameterError } from '../brdf/error.ts';
+import type { Parameter, ParameterValue, Rgb } from '../brdf/model.ts';
+import { checkValue, resolveParameters } from '../brdf/values.ts';
+import { createEvaluator } from '../glsl/evaluator.ts';
+import type { Model } from '../glsl/model.ts';
+import { shaderPrefix } from '../glsl/shader-text.ts';
+import { AlbedoTable, alwaysRefreshed } from './albedo-table.ts';
+import { EnvironmentLightNode } from './environment-light.ts';
+import { highlightAlpha } from './generic-sampler.ts';
+import { BrdfLightingModel } from './lighting-model.ts';
+import { type Channel, type ParameterMap, parameterNodes } from './parameter-nodes.ts';
+
+/** Directions per fragment for the environment, unless `scene.userData.environmentSamples` says another. */
+const DEFAULT_ENVIRONMENT_SAMPLES = 32;
+
+/**
+ * A three.js material made from any model. It runs under WebGPURenderer, on WebGPU and on WebGL 2.
+ *
+ * Each parameter of the model is a property of the material, with a texture beside it:
+ *
+ *     const material = new BrdfMaterial(model, { roughness: 0.3 });
+ *     material.roughness = 0.4;            // a number, a boolean, or for colours a THREE.Color
+ *     material.roughnessMap = texture;     // value = uniform x texel
+ *     material.set('roughness', 0.5).setMap('roughness', texture, 'g');
+ *
+ * A parameter whose name three.js uses for something else (such as `name`) is reached by get() and set()
+ * alone. Changing a value compiles nothing; adding or removing a texture, or choosing a term, does.
+ */
+export class BrdfMaterial extends NodeMaterial {
+  static override get type(): string {
+    return 'BrdfMaterial';
+  }
+
+  readonly isBrdfMaterial = true;
+  readonly model: Model;
+  /** The uniforms, by parameter: numbers, or colours. Set them through set() or the properties. */
+  readonly values: Record<string, number | Color> = {};
+  /** The textures, by parameter. Set them through setMap() or the properties. */
+  readonly maps: Record<string, ParameterMap> = {};
+
+  normalMap: Texture | null = null;
+  normalScale = new Vector2(1, 1);
+  bumpMap: Texture | null = null;
+  bumpScale = 1;
+  aoMap: Texture | null = null;
+  aoMapIntensity = 1;
+  emissive = new Color(0, 0, 0);
+  emissiveIntensity = 1;
+  emissiveMap: Texture | null = null;
+  alphaMap: Texture | null = null;
+
+  /** The directional albedo over n.v; null until the material is first built for light from everywhere. */
+  albedoTable: AlbedoTable | null = null;
+  private currentTerm = 'BRDF';
+  private highlight: { key: string; alpha: number } | null = null;
+
+  /** @throws BrdfParameterError for a value that does not suit its parameter, or a parameter the model lacks */
+  constructor(model: Model, values: Readonly<Record<string, unknown>> = {}) {
+    super();
+    this.lights = true;
+    this.model = model;
+    hide(this, 'model', 'values', 'maps', 'albedoTable', 'currentTerm', 'highlight');
+    const plain = Object.fromEntries(Object.entries(values).map(([name, value]) => [name, fromColor(value)]));
+    const resolved = resolveParameters(model.file, plain);
+    for (const parameter of model.parameters) {
+      const value = resolved[parameter.name] as ParameterValue;
+      this.values[parameter.name] = parameter.type === 'color' ? new Color(...(value as Rgb)) : Number(value);
+      this.defineProperties(parameter);
+    }
+  }
+
+  /** A parameter's value; colours as three linear numbers. @throws BrdfParameterError if there is none */
+  get(name: string): ParameterValue {
+    const parameter = this.parameter(name);
+    const value = this.values[name] as number | Color;
+    if (value instanceof Color) return [value.r, value.g, value.b];
+    return parameter.type === 'bool' ? value > 0.5 : value;
+  }
+
+  /** Sets a parameter: one uniform. @throws BrdfParameterError for a wrong name or type */
+  set(name: string, value: unknown): this {
+    const checked = checkValue(this.model.name, this.parameter(name), fromColor(value));
+    const current = this.values[name];
+    if (current instanceof Color) current.setRGB(...(checked as Rgb));
+    else this.values[name] = Number(checked);
+    return this;
+  }
+
+  getMap(name: string): Texture | null {
+    this.parameter(name);
+    return this.maps[name]?.texture ?? null;
+  }
+
+  /**
+   * Sets or removes a parameter's texture; the parameter is then its uniform times the texel.
+   *
+   * @param channel the component that a number or switch is read from
+   */
+  setMap(name: string, texture: Texture | null, channel: Channel = 'r'): this {
+    this.parameter(name);
+    const before = this.maps[name];
+    if (texture) this.maps[name] = { texture, channel };
+    else delete this.maps[name];
+    if (before?.channel !== this.maps[name]?.channel) this.needsUpdate = true;
+    return this;
+  }
+
+  /** What is shown: 'BRDF', or one of the model's terms alone. */
+  get term(): string {
+    return this.currentTerm;
+  }
+
+  /** @throws BrdfParameterError if the model has no such term */
+  set term(name: string) {
+    if (!this.model.terms.includes(name)) {
+      throw new BrdfParameterError(
+        this.model.name,
+        name,
+        `no such term; there are ${this.model.terms.join(', ')}`,
+      );
+    }
+    if (name === this.currentTerm) return;
+    this.currentTerm = name;
+    this.needsUpdate = true;
+  }
+
+  /** The width of the model's highlight, which its generic sampler takes, if it has no sampler of its own. */
+  get highlightAlpha(): number {
+    if (this.model.hasSampling) return 1;
+    const values = Object.fromEntries(this.model.parameters.map(({ name }) => [name, this.get(name)]));
+    const key = JSON.stringify(values);
+    if (this.highlight?.key !== key) {
+      this.highlight = { key, alpha: highlightAlpha(createEvaluator(this.model, values)) };
+    }
+    return this.highlight.alpha;
+  }
+
+  override customProgramCacheKey(): string {
+    const maps = Object.entries(this.maps).map(([name, { channel }]) => `${name}.${channel}`);
+    return [super.customProgramCacheKey(), shaderPrefix(this.model), this.currentTerm, ...maps].join(' ');
+  }
+
+  override setupObserver(builder: NodeBuilder): ReturnType<NodeMaterial['setupObserver']> {
+    // three.js looks for changes among the properties of its own materials only.
+    return alwaysRefreshed(super.setupObserver(builder));
+  }
+
+  override setupEnvironment(builder: NodeBuilder): Node | null {
+    const { scene } = builder as unknown as { scene: Scene | null };
+    return scene?.environment ? new EnvironmentLightNode(scene) : null;
+  }
+
+  override setupMaterialLightings(builder: NodeBuilder): ReturnType<NodeMaterial['setupMaterialLightings']> {
+    const lightings = super.setupMaterialLightings(builder);
+    const environment = lightings.find((node) => node instanceof EnvironmentLightNode);
+    (builder.context as { brdfEnvironment?: EnvironmentLightNode }).brdfEnvironment =
+      environment as EnvironmentLightNode;
+    return lightings;
+  }
+
+  override setupLightingModel(builder?: NodeBuilder): BrdfLightingModel {
+    const { context, scene } = builder as unknown as {
+      context: { brdfEnvironment?: EnvironmentLightNode };
+      scene: Scene | null;
+    };
+    this.albedoTable ??= new AlbedoTable();
+    const samples = scene?.userData.environmentSamples as number | undefined;
+    return new BrdfLightingModel({
+      model: this.model,
+      term: this.currentTerm,
+      parameters: parameterNodes(this.model, this.maps),
+      environment: context.brdfEnvironment ?? null,
+      samples: samples ?? DEFAULT_ENVIRONMENT_SAMPLES,
+      hasTable: Object.keys(this.maps).length === 0,
+    });
+  }
+
+  override copy(source: this): this {
+    if (source.model !== this.model)
+      throw new TypeError(`a ${this.model.name} cannot copy a ${source.model.name}`);
+    super.copy(source);
+    for (const { name } of this.model.parameters) {
+      this.set(name, source.get(name));
+      const map = source.maps[name];
+      this.setMap(name, map?.texture ?? null, map?.channel);
+    }
+    this.term = source.term;
+    return this;
+  }
+
+  override clone(): this {
+    return new (this.constructor as new (model: Model) => this)(this.model).copy(this);
+  }
+
+  override dispose(): void {
+    this.albedoTable?.dispose();
+    super.dispose();
+  }
+
+  private parameter(name: string): Parameter {
+    const parameter = this.model.parameters.find((p) => p.name === name);
+    if (parameter) return parameter;
+    const names = this.model.parameters.map((p) => p.name).join(', ');
+    throw new BrdfParameterError(this.model.name, name, `there is none; there are ${names}`);
+  }
+
+  /**
+   * Properties for one parameter. They are not enumerable: three.js would take a number that becomes 0,
+   * or stops to be, for another kind of material and compile it anew.
+   */
+  private defineProperties({ name }: Parameter): void {
+    if (!(name in this)) {
+      Object.defineProperty(this, name, {
+        get: () => (this.values[name] instanceof Color ? this.values[name] : this.get(name)),
+        set: (value: unknown) => this.set(name, value),
+      });
+    }
+    const map = `${name}Map`;
+    if (!(map in this)) {
+      Object.defineProperty(this, map, {
+        get: () => this.getMap(name),
+        set: (texture: Texture | null) => this.setMap(name, texture),
+      });
+    }
+  }
+}
+
+/** Keeps fields from three.js's walk over a material's properties. */
+function hide(material: BrdfMaterial, ...names: string[]): void {
+  for (const name of names) Object.defineProperty(material, name, { enumerable: false });
+}
+
+function fromColor(value: unknown): unknown {
+  return value instanceof Color ? [value.r, value.g, value.b] : value;
+}

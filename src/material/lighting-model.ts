@@ -1,0 +1,227 @@
+import { cross, dot, If, positionView, vec2, vec3 } from 'three/tsl';
+import { type Light, LightingModel, type Node, type NodeBuilder } from 'three/webgpu';
+import type { Model } from '../glsl/model.ts';
+import { type BrdfCall, modelFunction, type ParameterNodes } from '../glsl/tsl.ts';
+import { AlbedoNode } from './albedo-table.ts';
+import type { EnvironmentLightNode } from './environment-light.ts';
+import { repeat } from './loop.ts';
+import { nonNegative } from './non-negative.ts';
+import { createSampler, latticePoint, type Sampler } from './sampler.ts';
+import { type ShadingFrame, shadingFrame } from './shading-frame.ts';
+
+type Vec3 = Node<'vec3'>;
+type Float = Node<'float'>;
+
+interface Assignable {
+  addAssign(value: Node): void;
+}
+
+/** Light samples per side of a rectangle, and directions drawn from the model. */
+const RECTANGLE_GRID = 4;
+const RECTANGLE_DIRECTIONS = 16;
+
+export interface LightingOptions {
+  readonly model: Model;
+  readonly term: string;
+  readonly parameters: ParameterNodes;
+  /** null where nothing lights but lamps. */
+  readonly environment: EnvironmentLightNode | null;
+  /** Directions per fragment for the environment. */
+  readonly samples: number;
+  /** Whether the material's albedo table holds: it does not where a parameter varies over the surface. */
+  readonly hasTable: boolean;
+}
+
+/**
+ * The shading equation L_o(v) = sum over lights of f(l, v) E_l (n.l) for any model, with E_l the light's
+ * irradiance on a surface that faces it.
+ */
+export class BrdfLightingModel extends LightingModel {
+  private readonly options: LightingOptions;
+  private readonly brdf: BrdfCall;
+  private readonly sampler: Sampler;
+  private frame: ShadingFrame | null = null;
+
+  constructor(options: LightingOptions) {
+    super();
+    this.options = options;
+    this.brdf = modelFunction(options.model, options.term, options.parameters);
+    this.sampler = createSampler(options.model, options.parameters);
+  }
+
+  override start(builder: NodeBuilder): void {
+    this.frame = shadingFrame(builder, this.options.model);
+    // Lights add to these inside branches: they must be declared, and 0, before the first of them.
+    const { reflectedLight } = builder.context as unknown as {
+      reflectedLight: Record<'directSpecular' | 'indirectSpecular', { assign(value: Node): void }>;
+    };
+    reflectedLight.directSpecular.assign(vec3(0));
+    reflectedLight.indirectSpecular.assign(vec3(0));
+    super.start(builder);
+  }
+
+  private f(L: Vec3): Vec3 {
+    const { V, N, X, Y } = this.frame as ShadingFrame;
+    return nonNegative(this.brdf(L, V, N, X, Y));
+  }
+
+  /** Directional, point and spot lights; a shadow is in lightColor already. */
+  override direct(data: Parameters<LightingModel['direct']>[0]): void {
+    const { lightDirection, lightColor, reflectedLight } = data as unknown as {
+      lightDirection: Vec3;
+      lightColor: Vec3;
+      reflectedLight: { directSpecular: Assignable };
+    };
+    const { N } = this.frame as ShadingFrame;
+    const L = lightDirection.toVar() as Vec3;
+    const E = lightColor.toVar() as Vec3;
+    const cosine = dot(N, L).toVar();
+    // Most fragments face away from most lights, or are outside a spot's cone.
+    If(cosine.mul(E.x.add(E.y).add(E.z)).greaterThan(0), () => {
+      reflectedLight.directSpecular.addAssign(this.f(L).mul(E).mul(cosine));
+    });
+  }
+
+  /**
+   * A rectangle, by multiple importance sampling: a grid of points on it and directions drawn from the
+   * model, weighted by the balance heuristic (E. Veach, 1997, section 9.2). The points serve rough
+   * surfaces, the directions smooth ones.
+   */
+  override directRectArea(data: Parameters<LightingModel['directRectArea']>[0]): void {
+    const { lightColor, lightPosition, halfWidth, halfHeight, reflectedLight } = data as unknown as {
+      lightColor: Vec3;
+      lightPosition: Vec3;
+      halfWidth: Vec3;
+      halfHeight: Vec3;
+      reflectedLight: { directSpecular: Assignable };
+    };
+    const { V, N, X, Y } = this.frame as ShadingFrame;
+    const { sampleL, pdf } = this.sampler;
+    const points = RECTANGLE_GRID * RECTANGLE_GRID;
+    const directions = RECTANGLE_DIRECTIONS;
+    const center = lightPosition.sub(positionView as Vec3).toVar() as Vec3;
+    const side = cross(halfWidth, halfHeight).toVar() as unknown as Vec3;
+    const quarterArea = side.length().toVar();
+    // It shines along its -z axis.
+    const facing = side.div(quarterArea).negate().toVar() as Vec3;
+    const sum = vec3(0).toVar();
+    const add = (L: Vec3, cosine: Float, lightDensity: Float, density: Float) => {
+      const both = lightDensity.mul(points).add(density.mul(directions));
+      sum.addAssign(this.f(L).mul(cosine.div(both)));
+    };
+    repeat(points, (k) => {
+      const j = k.div(RECTANGLE_GRID).floor();
+      const i = k.sub(j.mul(RECTANGLE_GRID));
+      const along = (n: Float) =>
+        n
+          .add(0.5)
+          .mul(2 / RECTANGLE_GRID)
+          .sub(1);
+      const toPoint = center
+        .add(halfWidth.mul(along(i as Float)))
+        .add(halfHeight.mul(along(j as Float)))
+        .toVar() as Vec3;
+      const distance2 = dot(toPoint, toPoint).toVar();
+      const L = toPoint.mul(distance2.inverseSqrt()).toVar() as Vec3;
+      const cosineAtLight = dot(facing, L).negate().toVar();
+      const cosine = dot(N, L).toVar();
+      If(cosine.greaterThan(0).and(cosineAtLight.greaterThan(1e-6)), () => {
+        const lightDensity = distance2.div(cosineAtLight.mul(quarterArea).mul(4)) as Float;
+        add(L, cosine, lightDensity, pdf(L, V, N, X, Y) as Float);
+      });
+    });
+    repeat(directions, (i) => {
+      const u = latticePoint(i, directions);
+      const L = sampleL(vec2(u.x, u.y) as unknown as Node<'vec2'>, V, N, X, Y).toVar() as Vec3;
+      const cosine = dot(N, L).toVar();
+      const cosineAtLight = dot(facing, L).negate().toVar();
+      If(cosine.greaterThan(0).and(cosineAtLight.greaterThan(1e-6)), () => {
+        const t = dot(center, facing).negate().div(cosineAtLight).toVar();
+        const hit = L.mul(t).sub(center).toVar() as Vec3;
+        const inside = dot(hit, halfWidth)
+          .abs()
+          .lessThan(dot(halfWidth, halfWidth))
+          .and(dot(hit, halfHeight).abs().lessThan(dot(halfHeight, halfHeight)));
+        If(t.greaterThan(0).and(inside), () => {
+          const lightDensity = t.mul(t).div(cosineAtLight.mul(quarterArea).mul(4)) as Float;
+          const density = pdf(L, V, N, X, Y).toVar();
+          If(density.greaterThan(0), () => add(L, cosine, lightDensity, density as Float));
+        });
+      });
+    });
+    reflectedLight.directSpecular.addAssign(sum.mul(lightColor));
+  }
+
+  /**
+   * Ambient light and the environment. three.js gives ambient and hemisphere lights as irradiance E: the
+   * constant radiance E/pi, of which the surface reflects its directional albedo R(v).
+   *
+   * The environment is gathered by filtered importance sampling. Its samples are normalised by their own
+   * weights and R(v) from the table: a constant environment then comes out exact, whatever the number of
+   * samples, and any other with less noise.
+   */
+  override indirect(builder: NodeBuilder): void {
+    const { irradiance, ambientOcclusion, reflectedLight } = builder.context as unknown as {
+      irradiance: Vec3;
+      ambientOcclusion: Float;
+      reflectedLight: { indirectSpecular: Assignable };
+    };
+    const { environment, hasTable } = this.options;
+    if (!environment && !hasAmbient(builder)) return;
+    const { V, N } = this.frame as ShadingFrame;
+    const ambient = irradiance.mul(1 / Math.PI);
+    if (hasTable) {
+      const albedo = new AlbedoNode(dot(N, V) as Float) as unknown as Vec3;
+      const radiance = environment ? ambient.add(this.gather(environment, null)) : ambient;
+      reflectedLight.indirectSpecular.addAssign(albedo.mul(radiance).mul(ambientOcclusion));
+      return;
+    }
+    reflectedLight.indirectSpecular.addAssign(
+      this.gather(environment, ambient as Vec3).mul(ambientOcclusion),
+    );
+  }
+
+  /**
+   * With no `ambient`, the mean of the environment's radiance as the model weighs it. With one, the
+   * reflected radiance of the environment and it.
+   */
+  private gather(environment: EnvironmentLightNode | null, ambient: Vec3 | null): Vec3 {
+    const { samples } = this.options;
+    const { V, N, X, Y } = this.frame as ShadingFrame;
+    const { sampleL, pdf } = this.sampler;
+    const sum = vec3(0).toVar();
+    const weights = vec3(0).toVar();
+    repeat(samples, (i) => {
+      const u = latticePoint(i, samples);
+      const L = sampleL(vec2(u.x, u.y) as unknown as Node<'vec2'>, V, N, X, Y).toVar() as Vec3;
+      const cosine = dot(N, L).toVar();
+      If(cosine.greaterThan(0), () => {
+        const density = pdf(L, V, N, X, Y).toVar();
+        If(density.greaterThan(0), () => {
+          const weight = this.f(L).mul(cosine.div(density)).toVar() as Vec3;
+          const fromEnvironment = environment?.radiance(L, density.mul(samples) as Float);
+          const radiance = ambient
+            ? fromEnvironment
+              ? fromEnvironment.add(ambient)
+              : ambient
+            : fromEnvironment;
+          if (radiance) sum.addAssign(weight.mul(radiance));
+          weights.addAssign(weight);
+        });
+      });
+    });
+    return (ambient ? sum.div(samples) : sum.div(weights.max(1e-9))) as unknown as Vec3;
+  }
+}
+
+/** Whether anything but lamps lights the scene. */
+function hasAmbient(builder: NodeBuilder): boolean {
+  const { lightsNode } = builder as unknown as {
+    lightsNode: { getLightNodes(builder: NodeBuilder): { light?: Light; type: string }[] };
+  };
+  return lightsNode.getLightNodes(builder).some(({ light, type }) => {
+    if (!light) return type !== 'AONode';
+    const kind = light as { isAmbientLight?: true; isHemisphereLight?: true; isLightProbe?: true };
+    return kind.isAmbientLight || kind.isHemisphereLight || kind.isLightProbe;
+  });
+}

@@ -1,0 +1,240 @@
+import { normalView, positionView, tangentView, vec4 } from 'three/tsl';
+import * as THREE from 'three/webgpu';
+import { shippedModels } from '../../models/index.ts';
+import { createEvaluator, type Frame, type Vector3 } from '../../src/glsl/evaluator.ts';
+import type { Model } from '../../src/glsl/model.ts';
+import { falloffAt } from '../../src/lights/falloff.ts';
+import { BrdfPointLight } from '../../src/lights/point-light.ts';
+import { BrdfSpotLight, spotFactor } from '../../src/lights/spot-light.ts';
+import { BrdfMaterial } from '../../src/material/brdf-material.ts';
+
+/**
+ * A unit sphere under one light, drawn by the renderer and worked out on the CPU, pixel by pixel, from
+ * the shading equation and the model's float64 evaluation.
+ */
+
+export const SIZE = 96;
+
+/** A light of three.js, and what it sends to a point: direction l and irradiance E. Null: in darkness. */
+interface LightCase {
+  readonly create: () => THREE.Light[];
+  readonly arrives: (point: Vector3) => { l: Vector3; E: number } | null;
+  /** Whether the irradiance jumps near this point, so that float32 may decide otherwise. */
+  readonly jumps?: (point: Vector3) => boolean;
+}
+
+const LIGHT_POSITION: Vector3 = [1.2, 1.5, 2.2];
+
+function toLight(point: Vector3): { l: Vector3; r: number } {
+  const d = LIGHT_POSITION.map((x, i) => x - (point[i] as number));
+  const r = Math.hypot(...d);
+  return { l: d.map((x) => x / r) as unknown as Vector3, r };
+}
+
+function pointCase(falloff: 'inverse-square' | 'linear' | 'constant', range = 0): LightCase {
+  return {
+    create: () => {
+      const light = new BrdfPointLight(0xffffff, 7);
+      light.falloff = falloff;
+      light.distance = range;
+      light.position.set(...LIGHT_POSITION);
+      return [light];
+    },
+    arrives: (point) => {
+      const { l, r } = toLight(point);
+      return { l, E: 7 * falloffAt(r, falloff, range) };
+    },
+  };
+}
+
+function spotCase(angle: number, exponent: number, penumbra: number): LightCase {
+  const axis = LIGHT_POSITION.map((x) => x / Math.hypot(...LIGHT_POSITION));
+  const cosine = (l: Vector3) => l.reduce((sum, x, i) => sum + x * (axis[i] as number), 0);
+  return {
+    create: () => {
+      const light = new BrdfSpotLight(0xffffff, 9, angle, exponent);
+      light.penumbra = penumbra;
+      light.position.set(...LIGHT_POSITION);
+      return [light];
+    },
+    arrives: (point) => {
+      const { l, r } = toLight(point);
+      return { l, E: 9 * spotFactor(cosine(l), angle, exponent, penumbra) * falloffAt(r, 'inverse-square') };
+    },
+    jumps: (point) => Math.abs(cosine(toLight(point).l) - Math.cos(angle)) < 1e-4,
+  };
+}
+
+export const LIGHT_CASES: Readonly<Record<string, LightCase>> = {
+  directional: {
+    create: () => {
+      const light = new THREE.DirectionalLight(0xffffff, 3);
+      light.position.set(2, 1, 2);
+      return [light];
+    },
+    arrives: () => ({ l: [2 / 3, 1 / 3, 2 / 3], E: 3 }),
+  },
+  'point, inverse square': pointCase('inverse-square'),
+  'point, linear': pointCase('linear'),
+  'point, constant': pointCase('constant'),
+  'point with a range': pointCase('inverse-square', 3),
+  'spot, even': spotCase(0.3, 0, 0),
+  'spot, cos^40': spotCase(0.5, 40, 0),
+  'spot with a penumbra': spotCase(0.35, 2, 0.6),
+};
+
+export const MATERIAL_CASES: Readonly<Record<string, { model: string; values: Record<string, unknown> }>> = {
+  lambert: { model: 'lambert', values: {} },
+  'cook-torrance': { model: 'cook-torrance', values: { roughness: 0.35, ior: 1.7, kd: 0.4 } },
+  'cook-torrance, metallic': { model: 'cook-torrance', values: { metallic: 1, roughness: 0.3 } },
+  principled: { model: 'principled', values: {} },
+  'principled, every lobe': {
+    model: 'principled',
+    values: { subsurface: 0.5, sheen: 1, clearcoat: 1, clearcoatGloss: 0.2, metallic: 0.3, roughness: 0.4 },
+  },
+  'principled, anisotropic': {
+    model: 'principled',
+    values: { anisotropic: 0.8, roughness: 0.5, metallic: 1 },
+  },
+  'principled-thesis': { model: 'principled-thesis', values: { roughness: 0.4, subsurface: 0.3 } },
+};
+
+export function modelNamed(name: string): Model {
+  return shippedModels.get(name) as Model;
+}
+
+const CAMERA_Z = 3.2;
+const camera = new THREE.PerspectiveCamera(45, 1, 0.1, 10);
+camera.position.set(0, 0, CAMERA_Z);
+camera.updateMatrixWorld();
+
+export function sphereGeometry(): THREE.BufferGeometry {
+  const geometry = new THREE.SphereGeometry(1, 96, 64);
+  geometry.computeTangents();
+  return geometry;
+}
+
+/** The frame's linear radiance: RGBA floats, rows from the top. */
+export async function drawSphere(
+  renderer: THREE.WebGPURenderer,
+  geometry: THREE.BufferGeometry,
+  material: THREE.Material,
+  lights: readonly THREE.Light[],
+  environment: THREE.Texture | null = null,
+): Promise<Float32Array> {
+  const scene = new THREE.Scene();
+  scene.environment = environment;
+  scene.add(new THREE.Mesh(geometry, material), ...lights);
+  const target = new THREE.RenderTarget(SIZE, SIZE, { type: THREE.FloatType });
+  renderer.setRenderTarget(target);
+  renderer.render(scene, camera);
+  renderer.setRenderTarget(null);
+  const pixels = (await renderer.readRenderTargetPixelsAsync(target, 0, 0, SIZE, SIZE)) as Float32Array;
+  target.dispose();
+  // WebGPU's rows start at the top, WebGL's at the bottom.
+  const { backend } = renderer as unknown as { backend: { isWebGPUBackend?: boolean } };
+  if (backend.isWebGPUBackend) return pixels;
+  const rows = Array.from({ length: SIZE }, (_, y) =>
+    pixels.slice((SIZE - 1 - y) * SIZE * 4, (SIZE - y) * SIZE * 4),
+  );
+  return Float32Array.from(rows.flatMap((row) => [...row]));
+}
+
+/** The points, normals and tangents that the rasteriser interpolates for every pixel, in view space. */
+export interface SurfaceBuffers {
+  readonly position: Float32Array;
+  readonly normal: Float32Array;
+  readonly tangent: Float32Array;
+}
+
+/**
+ * Read back rather than worked out: the facets of the mesh and the rasteriser's grid (SwiftShader snaps
+ * vertices to 1/16 of a pixel) move them by up to 1e-3, which is no affair of the shading.
+ */
+export async function drawSurface(
+  renderer: THREE.WebGPURenderer,
+  geometry: THREE.BufferGeometry,
+): Promise<SurfaceBuffers> {
+  const draw = (node: THREE.Node) => {
+    const material = new THREE.NodeMaterial();
+    // Shifted by a constant: the output is clamped at 0.
+    material.fragmentNode = vec4(node as THREE.Node<'vec3'>, 1).add(SHIFT);
+    return drawSphere(renderer, geometry, material, []);
+  };
+  const position = await draw(positionView);
+  const normal = await draw(normalView);
+  const tangent = await draw(tangentView);
+  return { position, normal, tangent };
+}
+
+const SHIFT = 8;
+
+/** The surface in one pixel; null off the sphere. */
+export function surfaceAt(
+  buffers: SurfaceBuffers,
+  x: number,
+  y: number,
+): { point: Vector3; V: Vector3; frame: Frame } | null {
+  const i = (y * SIZE + x) * 4;
+  if (buffers.position[i + 3] !== 1 + SHIFT) return null;
+  const read = (buffer: Float32Array) =>
+    [0, 1, 2].map((c) => (buffer[i + c] as number) - SHIFT) as unknown as Vector3;
+  const unit = (v: readonly number[]) => v.map((c) => c / Math.hypot(...v)) as unknown as Vector3;
+  const view = read(buffers.position);
+  const N = unit(read(buffers.normal));
+  const T = read(buffers.tangent);
+  const along = T[0] * N[0] + T[1] * N[1] + T[2] * N[2];
+  const X = unit(T.map((c, k) => c - along * (N[k] as number)));
+  const Y: Vector3 = [N[1] * X[2] - N[2] * X[1], N[2] * X[0] - N[0] * X[2], N[0] * X[1] - N[1] * X[0]];
+  // The camera looks along -z from (0, 0, CAMERA_Z) and is not turned.
+  return { point: [view[0], view[1], view[2] + CAMERA_Z], V: unit(view.map((c) => -c)), frame: { N, X, Y } };
+}
+
+export interface Comparison {
+  /** Pixels that were compared. */
+  readonly count: number;
+  /** The largest difference, relative to the value or, where that is less, to 1e-3. */
+  readonly worst: number;
+  readonly where: string;
+}
+
+/** Draws a case and compares every pixel whose view is at least 0.25 (cosine) off the silhouette. */
+export async function compareSphere(
+  renderer: THREE.WebGPURenderer,
+  geometry: THREE.BufferGeometry,
+  surfaces: SurfaceBuffers,
+  materialCase: string,
+  lightCase: string,
+): Promise<Comparison> {
+  const { model: name, values } = MATERIAL_CASES[materialCase] as (typeof MATERIAL_CASES)[string];
+  const light = LIGHT_CASES[lightCase] as LightCase;
+  const model = modelNamed(name);
+  const material = new BrdfMaterial(model, values);
+  const pixels = await drawSphere(renderer, geometry, material, light.create());
+  material.dispose();
+  const evaluator = createEvaluator(model, values);
+  let [count, worst, where] = [0, 0, ''];
+  for (let y = 0; y < SIZE; y++) {
+    for (let x = 0; x < SIZE; x++) {
+      const surface = surfaceAt(surfaces, x, y);
+      if (!surface) continue;
+      const { point, V, frame } = surface;
+      const cosine = (w: Vector3) => w.reduce((sum, c, i) => sum + c * (frame.N[i] as number), 0);
+      if (cosine(V) < 0.25 || light.jumps?.(point)) continue;
+      const arriving = light.arrives(point);
+      const cosTheta = arriving ? Math.max(cosine(arriving.l), 0) : 0;
+      const f = arriving && cosTheta > 0 ? evaluator.f(arriving.l, V, frame) : [0, 0, 0];
+      count++;
+      for (let c = 0; c < 3; c++) {
+        const expected = (f[c] as number) * (arriving?.E ?? 0) * cosTheta;
+        const got = pixels[(y * SIZE + x) * 4 + c] as number;
+        const difference = Math.abs(got - expected) / Math.max(expected, 1e-3);
+        if (difference > worst || Number.isNaN(difference)) {
+          worst = Number.isNaN(difference) ? Number.POSITIVE_INFINITY : difference;
+          where = `pixel ${x}, ${y}, channel ${c}: ${got} is not ${expected}`;
+        }
+      }
+    }
+  }
+  return { count, worst, where };
+}
