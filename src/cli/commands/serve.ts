@@ -45,12 +45,14 @@ const command: Command = {
     }
     const server = await startStaticServer({ folder, files, headers: HEADERS, ...port });
     const address = `${server.url}${query}`;
-    console.log(`Irradia is at ${address} (Ctrl+C ends it)`);
-    if (options.open && hasDisplay()) openBrowser(address);
-    await new Promise((resolve) => {
+    // Before anyone can know that it runs, and end it.
+    const ended = new Promise((resolve) => {
       process.once('SIGINT', resolve);
       process.once('SIGTERM', resolve);
     });
+    console.log(`Irradia is at ${address} (Ctrl+C ends it)`);
+    if (options.open && hasDisplay()) openBrowser(address);
+    await ended;
     await server.close();
     return 0;
   },
