@@ -47,3 +47,9 @@ export function duplicateSelected(store: DocumentStore, state: EditorStateStore)
   const copy = attempt('Not duplicated', () => duplicate(store, selection.kind, selection.id));
   if (copy) state.select({ kind: selection.kind, id: copy });
 }
+
+export function toggleHelpers(store: DocumentStore): void {
+  const { helpers } = store.document.view;
+  setField(store, ['view', 'helpers'], !helpers, `${helpers ? 'Hide' : 'Show'} light helpers`);
+  store.endMerge();
+}

@@ -6,7 +6,7 @@ import { SceneMirror } from '../scene/mirror.ts';
 import { pageAssets } from '../scene/page-assets.ts';
 import type { Document } from '../scene/schema.ts';
 import { DocumentStore } from '../scene/store.ts';
-import { deleteSelected, duplicateSelected } from './commands.ts';
+import { deleteSelected, duplicateSelected, toggleHelpers } from './commands.ts';
 import { installErrorReports, showStartFailure } from './errors.ts';
 import { installDrop } from './io/drop.ts';
 import { ANY_ACCEPT, chooseFiles, download, fileNameOf } from './io/files.ts';
@@ -43,6 +43,9 @@ declare global {
     irradia: IrradiaConsole;
   }
 }
+
+/** How long the first frame waits for assets. */
+const PATIENCE_MS = 400;
 
 installErrorReports();
 installTooltip();
@@ -90,6 +93,7 @@ installShortcuts([
   { key: 'delete', run: () => deleteSelected(store, state) },
   { key: 'backspace', run: () => deleteSelected(store, state) },
   { key: 'f', run: () => window.irradia.viewport?.focusSelection() },
+  { key: 'h', run: () => toggleHelpers(store) },
   { key: 'f2', run: () => outliner.renameSelected() },
   { key: 'escape', run: () => state.select(null) },
 ]);
@@ -101,7 +105,15 @@ window.irradia.ready.catch(() => {
 
 async function start(): Promise<void> {
   const [renderer, document] = await Promise.allSettled([
-    createRenderer({ canvas, onError: (message) => toast('error', 'The GPU reported an error', message) }),
+    createRenderer({
+      canvas,
+      onError: (message) =>
+        toast(
+          'error',
+          'The GPU reported an error',
+          `${message}\nSave the scene and reload the page if the picture stands still.`,
+        ),
+    }),
     loadScene(new URLSearchParams(location.search).get('scene') ?? undefined),
   ]);
   if (document.status === 'fulfilled') store.open(document.value);
@@ -112,6 +124,12 @@ async function start(): Promise<void> {
     throw renderer.reason;
   }
   window.irradia.renderer = renderer.value;
+  // What comes at once is worth waiting for: a first frame without it would only be drawn again.
+  let complete = false;
+  const settled = mirror.settled().then(() => {
+    complete = true;
+  });
+  await Promise.race([settled, new Promise((resolve) => setTimeout(resolve, PATIENCE_MS))]);
   const viewport = new Viewport({
     element: view,
     canvas,
@@ -124,7 +142,8 @@ async function start(): Promise<void> {
   window.irradia.viewport = viewport;
   await viewport.nextFrame();
   loading.remove();
-  await mirror.settled();
+  if (complete) return;
+  await settled;
   viewport.refresh();
   await viewport.nextFrame();
 }

@@ -13,6 +13,8 @@ export function installShortcuts(shortcuts: readonly Shortcut[]): void {
   window.addEventListener('keydown', (event) => {
     if (isTextEntry(event.target) || document.querySelector('dialog[open]')) return;
     const ctrl = event.ctrlKey || event.metaKey;
+    // In a list a letter means the entry that begins with it.
+    if (event.target instanceof HTMLSelectElement && !ctrl) return;
     const found = shortcuts.find(
       (shortcut) =>
         shortcut.key === event.key.toLowerCase() &&

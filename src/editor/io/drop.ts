@@ -1,5 +1,6 @@
 /** Dropping files anywhere on the page; while they hover, the viewport says what it takes. */
 import { h } from '../ui/dom.ts';
+import { droppedFiles } from './dropped-files.ts';
 
 export function installDrop(viewport: HTMLElement, onFiles: (files: File[]) => void): void {
   const target = h(
@@ -27,6 +28,6 @@ export function installDrop(viewport: HTMLElement, onFiles: (files: File[]) => v
     target.hidden = true;
     if (!hasFiles(event)) return;
     event.preventDefault();
-    onFiles([...(event.dataTransfer?.files ?? [])]);
+    if (event.dataTransfer) void droppedFiles(event.dataTransfer).then(onFiles);
   });
 }

@@ -43,7 +43,11 @@ export function selectField(
     element.value = value;
   };
   setChoices(choices);
-  element.addEventListener('change', () => onChange(element.value));
+  element.addEventListener('change', () => {
+    onChange(element.value);
+    // The keys belong to the page again: what was chosen is chosen.
+    element.blur();
+  });
   return {
     element,
     setChoices,

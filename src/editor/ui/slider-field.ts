@@ -27,6 +27,8 @@ export interface SliderField {
   show(value: number): void;
 }
 
+const KEYS: Readonly<Record<string, number>> = { ArrowLeft: -1, ArrowDown: -1, ArrowRight: 1, ArrowUp: 1 };
+
 /** Positions on the track; fine enough that no pixel of a wide track is skipped. */
 const TICKS = 1000;
 
@@ -77,6 +79,16 @@ export function sliderField(options: SliderFieldOptions): SliderField {
   });
   range.addEventListener('change', () => {
     gesture = undefined;
+  });
+  // The browser's own steps are the track's positions, far too fine for a key.
+  range.addEventListener('keydown', (event) => {
+    const direction = KEYS[event.key];
+    if (!direction) return;
+    event.preventDefault();
+    const size = (TICKS / 100) * (event.shiftKey ? 0.1 : 1);
+    range.value = String(Number(range.value) + direction * size);
+    range.dispatchEvent(new Event('input'));
+    range.dispatchEvent(new Event('change'));
   });
   // A mouse drag must not leave the focus on the track: arrow keys and shortcuts belong to the page.
   range.addEventListener('pointerup', () => range.blur());

@@ -2,7 +2,7 @@
  * The viewport: keeps the picture equal to the document. It alone knows the renderer; panels change
  * the document and never ask for a frame.
  */
-import { Box3, Matrix4 } from 'three/webgpu';
+import { Box3, type Matrix4 } from 'three/webgpu';
 import type { RealtimeRenderer } from '../../realtime/renderer.ts';
 import type { SceneMirror } from '../../scene/mirror.ts';
 import type { Document } from '../../scene/schema.ts';
@@ -59,7 +59,7 @@ export class Viewport {
       if (now.continuous !== before.continuous) this.#loop.continuous = now.continuous;
       if (now.selection !== before.selection) this.#drawOverlay();
     });
-    new ResizeObserver(() => this.#loop.request()).observe(element);
+    this.#followSize(element);
     this.#installPicking(canvas);
     this.refresh();
   }
@@ -128,6 +128,16 @@ export class Viewport {
     });
   }
 
+  /** An observer reports once at its start, when there is nothing new. */
+  #followSize(element: HTMLElement): void {
+    let size = `${element.clientWidth} ${element.clientHeight}`;
+    new ResizeObserver(() => {
+      const now = `${element.clientWidth} ${element.clientHeight}`;
+      if (now !== size) this.#loop.request();
+      size = now;
+    }).observe(element);
+  }
+
   #submit(): void {
     const { element, mirror, renderer, session, onFigures } = this.#options;
     const size = {
@@ -169,22 +179,10 @@ export class Viewport {
   #selectedBox(id: string): { box: Box3; matrix: Matrix4 } | null {
     const object = this.#options.mirror.objectFor(id);
     if (!object?.visible) return null;
-    object.updateWorldMatrix(true, true);
+    object.updateWorldMatrix(true, false);
     if (this.#bounds?.id !== id) {
-      const box = new Box3();
-      const toOwn = new Matrix4().copy(object.matrixWorld).invert();
-      object.traverse((part) => {
-        const geometry =
-          'geometry' in part
-            ? (part.geometry as { boundingBox: Box3 | null; computeBoundingBox(): void })
-            : null;
-        if (!geometry) return;
-        if (!geometry.boundingBox) geometry.computeBoundingBox();
-        if (geometry.boundingBox) {
-          box.union(geometry.boundingBox.clone().applyMatrix4(part.matrixWorld).applyMatrix4(toOwn));
-        }
-      });
-      this.#bounds = { id, box };
+      if (!object.geometry.boundingBox) object.geometry.computeBoundingBox();
+      this.#bounds = { id, box: object.geometry.boundingBox ?? new Box3() };
     }
     return { box: this.#bounds.box, matrix: object.matrixWorld };
   }

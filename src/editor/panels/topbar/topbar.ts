@@ -4,7 +4,7 @@ import { addLight, addObject } from '../../../scene/commands.ts';
 import { addableGeometries, geometryNames } from '../../../scene/geometry-schema.ts';
 import { lightDefaults, lightTypes } from '../../../scene/light-schema.ts';
 import { addMaterial } from '../../../scene/material-commands.ts';
-import { attempt } from '../../commands.ts';
+import { attempt, toggleHelpers } from '../../commands.ts';
 import type { Session } from '../../session.ts';
 import { h } from '../../ui/dom.ts';
 import { type IconName, icon, isIcon } from '../../ui/icons.ts';
@@ -32,7 +32,21 @@ export function createTopbar(session: Session, actions: TopbarActions): HTMLElem
   );
   shot.addEventListener('click', () => actions.screenshot());
 
+  const helpers = h(
+    'button',
+    {
+      type: 'button',
+      class: 'icon-button',
+      'aria-label': 'Light helpers',
+      tip: 'Show where the lights are (H)',
+    },
+    icon('directional'),
+  );
+  helpers.addEventListener('click', () => toggleHelpers(store));
+
   const update = () => {
+    helpers.classList.toggle('on', store.document.view.helpers);
+    helpers.setAttribute('aria-pressed', String(store.document.view.helpers));
     title.textContent = store.document.name;
     document.title = `${store.document.name} – Irradia`;
     showHistory(undo, 'Undo', store.canUndo, store.undoLabel, 'Ctrl+Z');
@@ -54,6 +68,7 @@ export function createTopbar(session: Session, actions: TopbarActions): HTMLElem
     title,
     h('span', { class: 'spacer' }),
     createTermSelect(session),
+    helpers,
     shot,
   );
 }
