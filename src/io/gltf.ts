@@ -53,7 +53,7 @@ export async function importGltf(
     mediaType: 'model/gltf-binary',
     data: encodeBase64(content),
   };
-  for (const { node, primitive } of contents.objects) await geometryOf(asset, node, primitive, assets);
+  for (const { node, primitive } of contents.objects) await assets.gltfGeometry(asset, node, primitive);
   const materials = new Map<number | undefined, Material>();
   for (const { material } of contents.objects)
     if (!materials.has(material)) {
@@ -69,15 +69,6 @@ export async function importGltf(
     recipe: (draft) => addContents(draft, contents, materials, asset),
     notes: notes.list,
   };
-}
-
-async function geometryOf(asset: Asset, node: number, primitive: number, assets: AssetLoader): Promise<void> {
-  const geometry = await assets.gltfGeometry(asset, node, primitive);
-  const position = geometry.getAttribute('position');
-  // Not a number anywhere makes bounds not a number, and the object would never be drawn or found.
-  geometry.computeBoundingSphere();
-  if (position.count === 0 || !Number.isFinite(geometry.boundingSphere?.radius))
-    throw new GltfError(asset.name, `nodes[${node}]: its positions are not finite numbers`);
 }
 
 /** A texture that cannot be decoded is left out: the rest of the file is still worth having. */

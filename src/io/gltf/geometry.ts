@@ -64,12 +64,15 @@ export async function openGeometries(file: GltfFile, draco: () => DRACOLoader): 
  * three's own primitives.
  */
 function normalized(source: THREE.BufferGeometry): THREE.BufferGeometry {
-  if (source.getAttribute('position') === undefined) throw new Error('a primitive has no positions');
+  if (!(source.getAttribute('position')?.count > 0)) throw new Error('a primitive has no positions');
   let geometry = new THREE.BufferGeometry();
   for (const name of ['position', 'normal', 'tangent', 'uv', 'uv1', 'uv2', 'uv3']) {
     const attribute = source.getAttribute(name);
     if (attribute !== undefined) geometry.setAttribute(name, floats(attribute, name.startsWith('uv')));
   }
+  // One that is not a number would make the bounds so, and the object could not be drawn or found.
+  if (!(geometry.getAttribute('position').array as Float32Array).every(Number.isFinite))
+    throw new Error('a primitive has positions that are not finite numbers');
   geometry.setIndex(source.getIndex());
   // glTF 2.0, 3.7.2.1: without normals, faces are flat.
   if (!geometry.hasAttribute('normal')) {
