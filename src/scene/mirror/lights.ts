@@ -29,13 +29,14 @@ const kinds: Kinds = {
   ambient: {
     create: () => new THREE.AmbientLight(),
     set: (light, { luminance }) => {
-      light.intensity = luminance;
+      // three.js counts ambient light as the irradiance pi L of the radiance L from everywhere.
+      light.intensity = Math.PI * luminance;
     },
   },
   hemisphere: {
     create: () => new THREE.HemisphereLight(),
     set: (light, { luminance, groundColor }) => {
-      light.intensity = luminance;
+      light.intensity = Math.PI * luminance;
       light.groundColor.setRGB(...groundColor);
     },
   },
