@@ -1,4 +1,4 @@
-import { Fn, float, If, texture, uv, vec2, vec3, vec4 } from 'three/tsl';
+import { Fn, If, texture, uv, vec2, vec3, vec4 } from 'three/tsl';
 import {
   HalfFloatType,
   LinearFilter,
@@ -21,14 +21,16 @@ import { repeat } from './loop.ts';
 import { nonNegative } from './non-negative.ts';
 import { parameterNodes } from './parameter-nodes.ts';
 import { createSampler, latticePoint } from './sampler.ts';
+import { dependsOnTangent } from './shading-frame.ts';
 
 type Float = Node<'float'>;
 type Vec3 = Node<'vec3'>;
 
 /** Texels over sqrt(n.v): grazing views, where albedo changes fast, get more of them. */
-const TEXELS = 64;
-/** Directions per texel. */
-const SAMPLES = 192;
+const TEXELS = 32;
+/** Directions per texel: all for one azimuth of v, or shared among several where it matters. */
+const SAMPLES = 512;
+const AZIMUTHS = 8;
 
 /**
  * The directional albedo R(v) = integral of f(l, v) (n.l) dl of a material over n.v, in a texture of one
@@ -70,23 +72,27 @@ function albedoNode(model: Model, term: string): Node {
   const { sampleL, pdf } = createSampler(model, parameters);
   const [N, X, Y] = [vec3(0, 0, 1), vec3(1, 0, 0), vec3(0, 1, 0)] as unknown as [Vec3, Vec3, Vec3];
   return Fn(() => {
-    const root = (uv() as Node<'vec2'>).x;
+    // The first and the last texel's middles are 0 and 1.
+    const root = (uv() as Node<'vec2'>).x
+      .mul(TEXELS)
+      .sub(0.5)
+      .div(TEXELS - 1);
     const cosine = root.mul(root).max(1e-4).toVar();
     const sine = cosine.mul(cosine).oneMinus().max(0).sqrt().toVar();
+    const azimuths = dependsOnTangent(model) ? AZIMUTHS : 1;
+    const samples = SAMPLES / azimuths;
     const sum = vec3(0).toVar();
-    repeat(SAMPLES, (i) => {
-      const u = latticePoint(i, SAMPLES);
-      // The azimuth of v walks around once, by steps that the lattice's own do not repeat.
-      const phi = float(i)
-        .mul(Math.SQRT2)
-        .fract()
-        .mul(2 * Math.PI);
+    repeat(azimuths, (azimuth) => {
+      const phi = azimuth.mul((2 * Math.PI) / azimuths).toVar();
       const V = vec3(sine.mul(phi.cos()), sine.mul(phi.sin()), cosine).toVar() as unknown as Vec3;
-      const L = sampleL(vec2(u.x, u.y) as unknown as Node<'vec2'>, V, N, X, Y).toVar() as Vec3;
-      If(L.z.greaterThan(0), () => {
-        const density = pdf(L, V, N, X, Y).toVar();
-        If(density.greaterThan(0), () => {
-          sum.addAssign(nonNegative(brdf(L, V, N, X, Y)).mul(L.z.div(density)));
+      repeat(samples, (i) => {
+        const u = latticePoint(i, samples);
+        const L = sampleL(vec2(u.x, u.y) as unknown as Node<'vec2'>, V, N, X, Y).toVar() as Vec3;
+        If(L.z.greaterThan(0), () => {
+          const density = pdf(L, V, N, X, Y).toVar();
+          If(density.greaterThan(0), () => {
+            sum.addAssign(nonNegative(brdf(L, V, N, X, Y)).mul(L.z.div(density)));
+          });
         });
       });
     });
@@ -139,7 +145,12 @@ export class AlbedoNode extends Node {
   /** @param cosine n.v */
   constructor(cosine: Float) {
     super('vec3' as never);
-    this.table = texture(new Texture(), vec2(cosine.max(0).sqrt(), 0.5)) as unknown as TextureNode;
+    const root = cosine.max(0).sqrt();
+    const u = root
+      .mul(TEXELS - 1)
+      .add(0.5)
+      .div(TEXELS);
+    this.table = texture(new Texture(), vec2(u, 0.5)) as unknown as TextureNode;
     this.updateBeforeType = NodeUpdateType.OBJECT;
   }
 

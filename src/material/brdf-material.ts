@@ -19,9 +19,6 @@ import { highlightAlpha } from './generic-sampler.ts';
 import { BrdfLightingModel } from './lighting-model.ts';
 import { type Channel, type ParameterMap, parameterNodes } from './parameter-nodes.ts';
 
-/** Directions per fragment for the environment, unless `scene.userData.environmentSamples` says another. */
-const DEFAULT_ENVIRONMENT_SAMPLES = 32;
-
 /**
  * A three.js material made from any model. It runs under WebGPURenderer, on WebGPU and on WebGL 2.
  *
@@ -168,18 +165,13 @@ export class BrdfMaterial extends NodeMaterial {
   }
 
   override setupLightingModel(builder?: NodeBuilder): BrdfLightingModel {
-    const { context, scene } = builder as unknown as {
-      context: { brdfEnvironment?: EnvironmentLightNode };
-      scene: Scene | null;
-    };
+    const { context } = builder as unknown as { context: { brdfEnvironment?: EnvironmentLightNode } };
     this.albedoTable ??= new AlbedoTable();
-    const samples = scene?.userData.environmentSamples as number | undefined;
     return new BrdfLightingModel({
       model: this.model,
       term: this.currentTerm,
       parameters: parameterNodes(this.model, this.maps),
       environment: context.brdfEnvironment ?? null,
-      samples: samples ?? DEFAULT_ENVIRONMENT_SAMPLES,
       hasTable: Object.keys(this.maps).length === 0,
     });
   }

@@ -1,4 +1,4 @@
-import { cross, dot, If, positionView, vec2, vec3 } from 'three/tsl';
+import { cross, dot, If, positionView, uniform, vec2, vec3 } from 'three/tsl';
 import { type Light, LightingModel, type Node, type NodeBuilder } from 'three/webgpu';
 import type { Model } from '../glsl/model.ts';
 import { type BrdfCall, modelFunction, type ParameterNodes } from '../glsl/tsl.ts';
@@ -16,6 +16,13 @@ interface Assignable {
   addAssign(value: Node): void;
 }
 
+/** Directions per fragment for the environment, unless `scene.userData.environmentSamples` says another. */
+const DEFAULT_ENVIRONMENT_SAMPLES = 32;
+const environmentSamples = uniform(DEFAULT_ENVIRONMENT_SAMPLES).onRenderUpdate(({ scene }) => {
+  const samples: unknown = scene?.userData.environmentSamples;
+  return typeof samples === 'number' ? samples : DEFAULT_ENVIRONMENT_SAMPLES;
+}) as unknown as Float;
+
 /** Light samples per side of a rectangle, and directions drawn from the model. */
 const RECTANGLE_GRID = 4;
 const RECTANGLE_DIRECTIONS = 16;
@@ -26,8 +33,6 @@ export interface LightingOptions {
   readonly parameters: ParameterNodes;
   /** null where nothing lights but lamps. */
   readonly environment: EnvironmentLightNode | null;
-  /** Directions per fragment for the environment. */
-  readonly samples: number;
   /** Whether the material's albedo table holds: it does not where a parameter varies over the surface. */
   readonly hasTable: boolean;
 }
@@ -186,7 +191,7 @@ export class BrdfLightingModel extends LightingModel {
    * reflected radiance of the environment and it.
    */
   private gather(environment: EnvironmentLightNode | null, ambient: Vec3 | null): Vec3 {
-    const { samples } = this.options;
+    const samples = environmentSamples;
     const { V, N, X, Y } = this.frame as ShadingFrame;
     const { sampleL, pdf } = this.sampler;
     const sum = vec3(0).toVar();

@@ -19,7 +19,10 @@ export function createSampler(model: Model, parameters: ParameterNodes): Sampler
 }
 
 /** The i-th of n points that fill the unit square evenly: a Fibonacci lattice. */
-export function latticePoint(i: Node<'float'>, n: number): { x: Node<'float'>; y: Node<'float'> } {
+export function latticePoint(
+  i: Node<'float'>,
+  n: number | Node<'float'>,
+): { x: Node<'float'>; y: Node<'float'> } {
   const shifted = i.add(0.5);
   return { x: shifted.div(n), y: shifted.mul(GOLDEN_FRACTION).fract() };
 }
