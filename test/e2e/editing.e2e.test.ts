@@ -1,6 +1,7 @@
 /** A person edits the default scene. */
 import { readFile } from 'node:fs/promises';
 import { beforeAll, describe, expect, it } from 'vitest';
+import { encodePng } from '../../src/io/png.ts';
 import { addableGeometries, geometryNames } from '../../src/scene/geometry-schema.ts';
 import { lightDefaults, lightTypes } from '../../src/scene/light-schema.ts';
 import { type LabPage, openLab } from './lab.ts';
@@ -11,6 +12,16 @@ let page: LabPage;
 beforeAll(async () => {
   page = await (await lab.open()).ready();
 });
+
+/** Black and white squares. */
+function checkerPng(): Uint8Array {
+  const size = 16;
+  const pixels = new Uint8Array(size * size * 4).fill(255);
+  for (let i = 0; i < size * size; i++) {
+    if (((i >> 2) + (i >> 6)) % 2 === 0) pixels.fill(0, 4 * i, 4 * i + 3);
+  }
+  return encodePng(pixels, size, size);
+}
 
 /** The first object of the scene that has the principled model, selected. */
 async function selectPrincipled(): Promise<void> {
@@ -179,6 +190,57 @@ describe('the viewport', () => {
   });
 });
 
+describe('a texture', () => {
+  it('goes on a parameter by drop, shows in the picture, and comes off again', async () => {
+    await selectPrincipled();
+    const before = await page.document();
+    const picture = await page.picture();
+    await page.drop(
+      [{ name: 'dots.png', content: checkerPng() }],
+      '[data-parameter=baseColor] .texture-slot',
+    );
+    await page.page.waitForSelector('[data-parameter=baseColor] .texture-slot img');
+    expect((await page.picture()).hash).not.toBe(picture.hash);
+    await page.page.click('[data-parameter=baseColor] .texture-slot');
+    await page.page.click('.texture-popup >> text=Remove');
+    expect((await page.picture()).hash).toBe(picture.hash);
+    await page.page.keyboard.press('Control+z');
+    await page.page.keyboard.press('Control+z');
+    expect(await page.document()).toEqual(before);
+    expect(page.errors).toEqual([]);
+  });
+
+  it('that is no image is refused with a message', async () => {
+    const before = await page.document();
+    await page.drop([{ name: 'fake.png', content: 'not a png' }], '[data-parameter=baseColor] .texture-slot');
+    await page.waitForToast('fake.png');
+    expect(await page.document()).toEqual(before);
+    await page.page.click('.toast .icon-button');
+  });
+});
+
+describe('the units of a light', () => {
+  it('are another way to read and type the same value', async () => {
+    const point = Object.entries((await page.document()).lights).find(([, light]) => light.type === 'point');
+    await page.select('lights', point?.[0] ?? '');
+    const intensity = async () => {
+      const light = (await page.document()).lights[point?.[0] ?? ''];
+      return light?.type === 'point' ? light.intensity : Number.NaN;
+    };
+    const before = await intensity();
+    await page.page.selectOption('.with-unit select', 'lm');
+    const input = page.page.locator('.with-unit .number input');
+    expect(Number(await input.inputValue())).toBeCloseTo(4 * Math.PI * before, 1);
+    await input.click();
+    await input.fill('1000');
+    await input.press('Enter');
+    expect(await intensity()).toBeCloseTo(1000 / (4 * Math.PI), 6);
+    await page.page.keyboard.press('Control+z');
+    expect(await intensity()).toBe(before);
+    await page.page.selectOption('.with-unit select', 'cd');
+  });
+});
+
 describe('saving', () => {
   it('gives a file that opens as the same document after a reload', async () => {
     await page.menu('Add', 'Torus');
@@ -194,5 +256,17 @@ describe('saving', () => {
     expect(await fresh.document()).toEqual(saved);
     expect((await fresh.picture()).hash).toBe((await page.picture()).hash);
     expect([...page.errors, ...fresh.errors]).toEqual([]);
+  });
+
+  it('is asked about before another scene takes the place of changes', async () => {
+    await page.menu('Add', 'Cone');
+    const changed = await page.document();
+    await page.menu('File', 'New');
+    await page.page.click('.confirm >> text=Cancel');
+    expect(await page.document()).toEqual(changed);
+    await page.menu('File', 'New');
+    await page.page.click('.confirm >> text=Discard changes');
+    await page.page.waitForFunction('Object.keys(irradia.store.document.objects).length === 0');
+    expect((await page.document()).name).toBe('Untitled');
   });
 });

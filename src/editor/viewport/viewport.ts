@@ -2,7 +2,7 @@
  * The viewport: keeps the picture equal to the document. It alone knows the renderer; panels change
  * the document and never ask for a frame.
  */
-import { Box3, type Matrix4 } from 'three/webgpu';
+import { Box3, type Matrix4, Vector3 } from 'three/webgpu';
 import type { RealtimeRenderer } from '../../realtime/renderer.ts';
 import type { SceneMirror } from '../../scene/mirror.ts';
 import type { Document } from '../../scene/schema.ts';
@@ -83,24 +83,24 @@ export class Viewport {
   focusSelection(): void {
     const { session, mirror } = this.#options;
     const { selection } = session.state.value;
-    const { document } = session.store;
+    const { objects, lights } = session.store.document;
     const box = new Box3();
-    let name = 'the scene';
-    if (selection?.kind === 'objects') {
-      const object = mirror.objectFor(selection.id);
-      if (object) box.setFromObject(object);
-      name = document.objects[selection.id]?.name ?? name;
+    const light = selection?.kind === 'lights' ? lights[selection.id] : undefined;
+    if (light && 'position' in light) {
+      box.expandByPoint(new Vector3(...light.position));
+      if ('target' in light) box.expandByPoint(new Vector3(...light.target));
+      box.expandByScalar(0.5);
     } else {
-      const users = Object.entries(document.objects).filter(
-        ([, object]) => object.material === selection?.id,
+      const chosen = Object.entries(objects).filter(
+        ([id, object]) => id === selection?.id || object.material === selection?.id,
       );
-      const ids = users.length > 0 ? users.map(([id]) => id) : Object.keys(document.objects);
-      for (const id of ids) {
+      for (const [id] of chosen.length > 0 ? chosen : Object.entries(objects)) {
         const object = mirror.objectFor(id);
         if (object) box.expandByObject(object);
       }
     }
-    this.#camera.focus(box, name);
+    const name = selection ? session.store.document[selection.kind][selection.id]?.name : undefined;
+    this.#camera.focus(box, name ?? 'the scene');
   }
 
   /** The picture as it is shown, without the overlay. */

@@ -50,6 +50,7 @@ export function scenePanel(session: Session): InspectorPanel {
   const fold = (title: string, ...children: Node[]) =>
     section(title, state.value.folded.includes(title), (folded) => state.fold(title, folded), ...children);
 
+  const description = h('p', { class: 'hint scene-description' });
   const { source } = store.document.environment;
   const background = store.document.background;
   const lit = source.type !== 'none';
@@ -58,6 +59,7 @@ export function scenePanel(session: Session): InspectorPanel {
     element: h(
       'div',
       {},
+      description,
       fold('View', ...part('view', viewShape, viewDefaults)),
       fold(
         'Environment',
@@ -78,6 +80,8 @@ export function scenePanel(session: Session): InspectorPanel {
       fold('Near and far', ...part('camera', { near, far }, cameraDefaults)),
     ),
     update() {
+      description.textContent = store.document.description;
+      description.hidden = store.document.description === '';
       for (const field of bound) field.update();
     },
   };
