@@ -156,7 +156,8 @@ export class AlbedoNode extends Node {
 
   override updateBefore(frame: NodeFrame): undefined {
     const { renderer, material } = frame as unknown as { renderer: Renderer; material: BrdfMaterial };
-    if (!material.albedoTable) return;
+    // Materials of one model share what was built for the first of them, but not its table.
+    material.albedoTable ??= new AlbedoTable();
     material.albedoTable.update(renderer, material);
     this.table.value = material.albedoTable.target.texture;
   }
