@@ -1,10 +1,10 @@
 import * as THREE from 'three/webgpu';
 import { expect, test } from 'vitest';
 import { nodeAssets } from '../../src/cli/node-assets.ts';
-import { createNodeRenderer } from '../../src/cli/node-renderer.ts';
 import { AssetLoader } from '../../src/scene/assets.ts';
 import { parseDocument } from '../../src/scene/document.ts';
 import { SceneMirror } from '../../src/scene/mirror.ts';
+import { testRenderer } from '../support/gpu.ts';
 
 /** Materials of one model share their shader; what light from everywhere makes of them is each one's own. */
 test('a red, a green and a blue sphere under ambient light are red, green and blue', async () => {
@@ -30,7 +30,7 @@ test('a red, a green and a blue sphere under ambient light are red, green and bl
     'spheres.json',
   );
   const size = 64;
-  const { renderer, dispose } = await createNodeRenderer({ width: size, height: size });
+  const { renderer } = await testRenderer(size, size);
   const mirror = new SceneMirror({ assets: new AssetLoader(nodeAssets), onError: expect.fail });
   mirror.apply(document);
   const target = new THREE.RenderTarget(size, size, { type: THREE.FloatType });
@@ -43,5 +43,4 @@ test('a red, a green and a blue sphere under ambient light are red, green and bl
     for (const [c, value] of colors[name].entries()) expect(row[4 * x + c]).toBeCloseTo(value, 2);
   }
   mirror.dispose();
-  dispose();
 });
