@@ -101,34 +101,47 @@ describe('a slider', () => {
 });
 
 describe('adding and deleting', () => {
+  // One sphere: every light type is a new program for every material, and the GPU is made of software.
+  let small: LabPage;
+  beforeAll(async () => {
+    const scene = {
+      format: 'irradia',
+      version: 1,
+      materials: { clay: { name: 'Clay', model: 'lambert' } },
+      objects: { ball: { name: 'Ball', material: 'clay', geometry: { type: 'sphere' } } },
+    };
+    small = await lab.open({ query: '?scene=/scene.json', files: { '/scene.json': JSON.stringify(scene) } });
+    await small.ready();
+  });
+
   it.each(addableGeometries)('a %s', async (type) => {
-    const before = await page.document();
-    await page.menu('Add', geometryNames[type]);
-    const after = await page.document();
+    const before = await small.document();
+    await small.menu('Add', geometryNames[type]);
+    const after = await small.document();
     const added = Object.keys(after.objects).filter((id) => !(id in before.objects));
     expect(added).toHaveLength(1);
     expect(after.objects[added[0] ?? '']?.geometry.type).toBe(type);
-    await page.page.keyboard.press('Delete');
-    expect(Object.keys((await page.document()).objects)).toEqual(Object.keys(before.objects));
-    await page.page.keyboard.press('Control+z');
-    await page.page.keyboard.press('Control+z');
-    expect(await page.document()).toEqual(before);
+    await small.page.keyboard.press('Delete');
+    expect(Object.keys((await small.document()).objects)).toEqual(Object.keys(before.objects));
+    await small.page.keyboard.press('Control+z');
+    await small.page.keyboard.press('Control+z');
+    expect(await small.document()).toEqual(before);
   });
 
   it.each(lightTypes)('a %s light', async (type) => {
-    const before = await page.document();
-    await page.menu('Add', lightDefaults[type].name);
-    const after = await page.document();
+    const before = await small.document();
+    await small.menu('Add', lightDefaults[type].name);
+    const after = await small.document();
     const added = Object.keys(after.lights).filter((id) => !(id in before.lights));
     expect(added).toHaveLength(1);
     expect(after.lights[added[0] ?? '']?.type).toBe(type);
-    await page.picture();
-    await page.page.keyboard.press('Delete');
-    expect(await page.document()).toEqual(before);
-    await page.page.keyboard.press('Control+z');
-    await page.page.keyboard.press('Control+z');
-    expect(await page.document()).toEqual(before);
-    expect(page.errors).toEqual([]);
+    await small.picture();
+    await small.page.keyboard.press('Delete');
+    expect(await small.document()).toEqual(before);
+    await small.page.keyboard.press('Control+z');
+    await small.page.keyboard.press('Control+z');
+    expect(await small.document()).toEqual(before);
+    expect(small.errors).toEqual([]);
   });
 });
 

@@ -2,6 +2,7 @@
  * Files into the scene, whichever way they come: dropped, opened, or handed over by the server.
  * What cannot be read changes nothing and says what is wrong with it.
  */
+import { loadModel } from '../../../models/index.ts';
 import type { AssetLoader } from '../../scene/assets.ts';
 import { keepAsset } from '../../scene/commands.ts';
 import { parseDocument } from '../../scene/document.ts';
@@ -83,6 +84,8 @@ async function openBrdf({ store, state }: OpenContext, file: File): Promise<void
     selection?.kind === 'materials'
       ? selection.id
       : (object?.material ?? Object.keys(store.document.materials)[0]);
+  // Compiled first under the file's own name, so that what is wrong is said in its terms.
+  loadModel(source, file.name);
   const name = addModel(store, file.name, source);
   if (material === undefined) {
     toast('success', `Added the model ${name}`, 'Choose it as the model of a material.');
