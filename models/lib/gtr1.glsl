@@ -3,11 +3,10 @@
 // D = (a^2 - 1) / (pi log(a^2) (1 + (a^2 - 1) (n.h)^2)).
 ::include lib/constants.glsl
 
-// D(h)/divisor in one division. h is a unit vector in the local frame; alpha in 0 < alpha <= 1.
+// D(h)/divisor in one division. h is a unit vector in the local frame; 0 < alpha < 1.
 // 1 + (a^2 - 1)(n.h)^2 is written as sin^2 + a^2 cos^2: the textbook's form loses all its digits
-// in float32 where alpha is small. At alpha = 1, where it is 0/0, D is the limit 1/pi.
+// in float32 where alpha is small.
 float D_GTR1(vec3 h, float alpha, float divisor) {
-    if (alpha >= 1.0) return INV_PI / divisor;
     float a2 = alpha * alpha;
     float t = dot(h.xy, h.xy) + a2 * h.z * h.z;
     return (a2 - 1.0) / (PI * log(a2) * t * divisor);

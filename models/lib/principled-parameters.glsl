@@ -13,9 +13,10 @@ vec2 principledAlpha(float roughness, float anisotropic) {
     return max(alpha * vec2(inverseAspect, aspectSquared * inverseAspect), vec2(0.001));
 }
 
-// alpha of the clearcoat's distribution: .1 (satin) to .001 (gloss).
+// alpha of the clearcoat's distribution: .1 (satin) to .001 (gloss). Far outside 0..1 gloss would
+// leave the range in which GTR1 has a value.
 float clearcoatAlpha(float gloss) {
-    return max(mix(0.1, 0.001, gloss), 0.001);
+    return clamp(mix(0.1, 0.001, gloss), 0.001, 0.9);
 }
 
 // alpha of the clearcoat's masking, and its reflectance at normal incidence (ior 1.5); fixed.

@@ -36,15 +36,18 @@ float pdfPrincipled(vec3 l, vec3 v, vec3 weights, vec2 alpha, float coatAlpha) {
     return density;
 }
 
+// The mean of the three channels of a colour.
+float meanOf(vec2 weights) {
+    return weights.x + weights.y * dot(baseColor, vec3(1.0 / 3.0));
+}
+
 // The probabilities of the lobes (diffuse with sheen, specular, clearcoat): by their estimated
 // albedos. The 1e-6 keeps a surface that is black in every way from dividing by 0.
 vec3 lobeWeights(float NdotV) {
-    vec3 mean = vec3(1.0 / 3.0);
     float weight = F_SchlickWeight(NdotV) + F_SCHLICK_MEAN;
-    vec3 hue = tint();
     vec3 albedo = vec3(
-        dot(PI * baseWeight() + sheenColor(hue) * weight, mean),
-        dot(specularFresnel(hue, weight), mean) + 1e-6,
+        meanOf(vec2(0.0, PI * baseWeight()) + sheenColor() * weight),
+        meanOf(specularFresnel(weight)) + 1e-6,
         CLEARCOAT_STRENGTH * clearcoat * F_Schlick(CLEARCOAT_R0, weight));
     return albedo / (albedo.x + albedo.y + albedo.z);
 }
