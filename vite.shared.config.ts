@@ -11,3 +11,6 @@ export const alias: AliasOptions = [{ find: /^three$/, replacement: 'three/webgp
 
 /** WebGPU is the newest thing the pages need; browsers that have it have ES2022. */
 export const target = 'es2022';
+
+/** For the examples, which import the package by its name, as it is built. */
+export const packageAlias = { find: /^irradia$/, replacement: `${repository}dist/lib/index.js` };

@@ -190,7 +190,10 @@ export class BrdfMaterial extends NodeMaterial {
   }
 
   override clone(): this {
-    return new (this.constructor as new (model: Model) => this)(this.model).copy(this);
+    // The named classes know their model; their constructors take values alone.
+    const named = this.constructor !== BrdfMaterial;
+    const copy = named ? new (this.constructor as new () => this)() : new BrdfMaterial(this.model);
+    return (copy as this).copy(this);
   }
 
   override dispose(): void {

@@ -1,8 +1,8 @@
 import { fileURLToPath } from 'node:url';
 import type { Browser, Page } from 'playwright-core';
-import { build } from 'vite';
+import { type Alias, build } from 'vite';
 import { startStaticServer } from '../../src/cli/static-server.ts';
-import { alias, repository, target } from '../../vite.shared.config.ts';
+import { alias, packageAlias, repository, target } from '../../vite.shared.config.ts';
 import { launchBrowser } from './browser.ts';
 
 /**
@@ -65,7 +65,7 @@ async function bundle(entry: string): Promise<[string, Uint8Array | string][]> {
     root: repository,
     publicDir: false,
     logLevel: 'warn',
-    resolve: { alias },
+    resolve: { alias: [...(alias as Alias[]), packageAlias] },
     build: {
       target,
       write: false,
