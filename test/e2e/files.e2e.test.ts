@@ -1,5 +1,6 @@
 /** Files come to the page: good ones, broken ones, and those that the server hands over. */
 import { describe, expect, it } from 'vitest';
+import { encodeExr } from '../../src/io/exr.ts';
 import { createDocument, serializeDocument } from '../../src/scene/document.ts';
 import { quadGlb } from './glb.ts';
 import { type LabPage, openLab } from './lab.ts';
@@ -37,7 +38,7 @@ describe('a dropped .brdf', () => {
     const terms = await page.page.locator('.term-select option').allInnerTexts();
     expect(terms).toContain('rim');
 
-    await page.page.selectOption('.term-select select', 'rim');
+    await page.page.selectOption('.term-select select', { label: 'rim' });
     const term = (await page.document()).view.term;
     expect(term).toEqual({ material: id, name: 'rim' });
     await page.page.selectOption('.term-select select', '');
@@ -86,6 +87,35 @@ describe('a dropped GLB', () => {
     await page.drop([{ name, content }]);
     await page.waitForToast(name);
     expect(await page.page.locator('.toast.error').count()).toBeGreaterThan(0);
+    expect(await page.document()).toEqual(before);
+    expect(page.errors).toEqual([]);
+    await page.page.click('.toast.error .icon-button');
+  });
+});
+
+describe('an environment', () => {
+  it('that ships lights the scene once it has come', async () => {
+    const before = await page.picture();
+    await page.page.keyboard.press('Escape');
+    await page.page.selectOption('select[aria-label=Environment]', 'preset:studio');
+    expect((await page.document()).environment.source).toEqual({ type: 'preset', name: 'studio' });
+    expect((await page.picture()).hash).not.toBe(before.hash);
+    await page.page.keyboard.press('Control+z');
+    expect((await page.picture()).hash).toBe(before.hash);
+    expect(page.errors).toEqual([]);
+  });
+
+  it('of the person’s own comes by drop, and a broken one changes nothing', async () => {
+    const before = await page.document();
+    const pixels = new Float32Array(8 * 4).fill(0.7);
+    const channels = ['R', 'G', 'B'].map((name) => ({ name, type: 'half' as const, pixels }));
+    await page.drop([{ name: 'grey.exr', content: encodeExr({ width: 8, height: 4, channels }) }]);
+    await page.waitForToast('grey.exr lights the scene');
+    expect((await page.document()).environment.source.type).toBe('hdr');
+    await page.picture();
+    await page.page.keyboard.press('Control+z');
+    await page.drop([{ name: 'broken.hdr', content: '#?RADIANCE\nthis is not an image' }]);
+    await page.waitForToast('broken.hdr');
     expect(await page.document()).toEqual(before);
     expect(page.errors).toEqual([]);
     await page.page.click('.toast.error .icon-button');

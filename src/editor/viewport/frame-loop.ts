@@ -36,8 +36,13 @@ export class FrameLoop {
 
   set continuous(value: boolean) {
     this.#continuous = value;
-    this.#previous = null;
+    this.interrupt();
     this.#schedule();
+  }
+
+  /** The next frame comes alone: the page was hidden, and browsers stop the clock of hidden pages. */
+  interrupt(): void {
+    this.#previous = null;
   }
 
   /** After an error that every further frame would repeat. */

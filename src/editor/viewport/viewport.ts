@@ -9,6 +9,7 @@ import type { Document } from '../../scene/schema.ts';
 import type { FrameTimes } from '../panels/status/frame-times.ts';
 import type { RenderFigures } from '../panels/status/status.ts';
 import type { Session } from '../session.ts';
+import { h } from '../ui/dom.ts';
 import { toastError } from '../ui/toast.ts';
 import { createCameraControl } from './camera.ts';
 import { FrameLoop } from './frame-loop.ts';
@@ -28,10 +29,13 @@ export interface ViewportOptions {
 }
 
 const CLICK_PX = 4;
+/** What takes less is not worth a word. */
+const BUSY_AFTER_MS = 250;
 
 export class Viewport {
   readonly #options: ViewportOptions;
   readonly #overlay: Overlay;
+  readonly #busy = h('div', { class: 'busy', role: 'status', hidden: true }, 'Loading…');
   readonly #loop: FrameLoop;
   readonly #camera: ReturnType<typeof createCameraControl>;
   #counts: SceneCounts = { vertices: 0, triangles: 0 };
@@ -42,7 +46,7 @@ export class Viewport {
     const { element, canvas, session, mirror, times } = options;
     this.#options = options;
     this.#overlay = createOverlay();
-    element.append(this.#overlay.element);
+    element.append(this.#overlay.element, this.#busy);
     this.#loop = new FrameLoop({
       render: () => this.#render(),
       onFrame: (at, ms) => times.add(at, ms),
@@ -60,6 +64,7 @@ export class Viewport {
       if (now.selection !== before.selection) this.#drawOverlay();
     });
     this.#followSize(element);
+    document.addEventListener('visibilitychange', () => this.#loop.interrupt());
     this.#installPicking(canvas);
     this.refresh();
   }
@@ -122,7 +127,12 @@ export class Viewport {
     if (document.camera !== previous.camera) this.#camera.follow(document);
     if (document.objects !== previous.objects || document.assets !== previous.assets) this.refresh();
     else this.#loop.request();
+    const notLong = window.setTimeout(() => {
+      this.#busy.hidden = false;
+    }, BUSY_AFTER_MS);
     void mirror.settled().then(() => {
+      clearTimeout(notLong);
+      this.#busy.hidden = true;
       // A geometry or an image may have come only now.
       if (this.#options.session.store.document === document) this.refresh();
     });

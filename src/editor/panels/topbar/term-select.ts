@@ -1,46 +1,53 @@
-/** Which term of the selected material's model is shown: the whole model, or one function of it alone. */
+/**
+ * Which term of a material's model is shown: the whole model, or one function of it alone. Offered are
+ * the terms of the selected material, and of the one that is looked at already.
+ */
 import { findModel } from '../../../scene/models.ts';
 import type { Session } from '../../session.ts';
 import { h } from '../../ui/dom.ts';
-import { selectField } from '../../ui/fields.ts';
+import { type Choice, selectField } from '../../ui/fields.ts';
 import { tryEdit } from '../inspector/cell.ts';
 
-const WHOLE = '';
+const WHOLE: Choice = { value: '', label: 'Whole model' };
+
+/** Ids and names of terms have no spaces. */
+const choiceOf = (term: { material: string; name: string } | null) =>
+  term ? `${term.material} ${term.name}` : WHOLE.value;
 
 export function createTermSelect({ store, state }: Session): HTMLElement {
   const field = selectField('Term', [], (value) => {
-    const material = currentMaterial();
-    tryEdit(store, value === WHOLE ? 'Show the whole model' : `Show ${value} alone`, (draft) => {
-      draft.view.term = value === WHOLE || !material ? null : { material, name: value };
+    const [material, name] = value.split(' ');
+    tryEdit(store, name ? `Show ${name} alone` : 'Show the whole model', (draft) => {
+      draft.view.term = material && name ? { material, name } : null;
     });
   });
 
-  /** The one that is looked at, else the one that is selected, else the first. */
-  const currentMaterial = (): string | undefined => {
-    const { document } = store;
+  const selectedMaterial = (): string | undefined => {
+    const { objects, materials } = store.document;
     const { selection } = state.value;
-    if (document.view.term) return document.view.term.material;
     if (selection?.kind === 'materials') return selection.id;
-    const object = selection?.kind === 'objects' ? document.objects[selection.id] : undefined;
-    return object?.material ?? Object.keys(document.materials)[0];
+    const object = selection?.kind === 'objects' ? objects[selection.id] : undefined;
+    return object?.material ?? Object.keys(materials)[0];
+  };
+
+  const termsOf = (id: string): Choice[] => {
+    const material = store.document.materials[id];
+    const terms = material ? (findModel(store.document, material.model)?.terms ?? []) : [];
+    return terms
+      .filter((name) => name !== 'BRDF')
+      .map((name) => ({
+        value: choiceOf({ material: id, name }),
+        label: name,
+        ...(material && { group: `${material.name} · ${material.model}` }),
+      }));
   };
 
   const update = () => {
-    const { document } = store;
-    const id = currentMaterial();
-    const material = id === undefined ? undefined : document.materials[id];
-    const terms = material ? (findModel(document, material.model)?.terms ?? []) : [];
-    const parts = terms.filter((term) => term !== 'BRDF');
-    field.setChoices([
-      { value: WHOLE, label: 'Whole model' },
-      ...parts.map((value) => ({
-        value,
-        label: value,
-        ...(material && { group: `${material.name} · ${material.model}` }),
-      })),
-    ]);
-    field.show(document.view.term?.name ?? WHOLE);
-    element.classList.toggle('on', document.view.term !== null);
+    const { term } = store.document.view;
+    const ids = new Set([selectedMaterial(), term?.material].filter((id) => id !== undefined));
+    field.setChoices([WHOLE, ...[...ids].flatMap(termsOf)]);
+    field.show(choiceOf(term));
+    element.classList.toggle('on', term !== null);
   };
 
   const element = h(
