@@ -95,10 +95,9 @@ export function parseBrdf(text: string, fileName: string, options: ParseOptions 
   }
   if (!kindSeen)
     throw new BrdfError({ file: fileName, line: 1 }, 'not a BRDF file', "'analytic' on the first line");
+  const parameters = parseParameters(sections.get('parameters')?.lines ?? []);
   const shader = sections.get('shader');
   if (!shader) throw new BrdfError(last, 'the file has no shader', "a section '::begin shader'");
-
-  const parameters = parseParameters(sections.get('parameters')?.lines ?? []);
   // One set for both sections: sampling code sees what the shader included.
   const included = new Set<string>();
   const shaderText = spliceIncludes(shader.lines, options, included, []);
@@ -150,7 +149,7 @@ function parseParameter(fields: readonly string[], description: string, place: S
   if (type !== 'float' && type !== 'color' && type !== 'bool') {
     throw new BrdfError(place, `'${clip(type ?? '')}' is no type of parameter`, 'float, color or bool');
   }
-  if (!/^[A-Za-z_][A-Za-z0-9_]{0,63}$/.test(name) || RESERVED.has(name) || name.startsWith('gl_')) {
+  if (!/^[A-Za-z_][A-Za-z0-9_]{0,63}$/.test(name) || RESERVED.has(name) || /^gl_|__/.test(name)) {
     throw new BrdfError(
       place,
       `'${clip(name)}' cannot name a parameter`,
