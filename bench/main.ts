@@ -1,5 +1,4 @@
 /** `npm run bench`: prints what docs/benchmarks.md keeps. All on the software GPU of the tests' browser. */
-import { launchBrowser } from '../test/support/browser.ts';
 import { openHarness } from '../test/support/harness.ts';
 import { measureLab } from './lab.ts';
 import type { SpheresRequest, SpheresResult } from './spheres.page.ts';
@@ -35,10 +34,8 @@ async function benchSpheres(): Promise<void> {
 }
 
 async function benchLab(): Promise<void> {
-  const browser = await launchBrowser();
   const results = [];
-  for (let i = 0; i < NAVIGATIONS; i++) results.push(await measureLab(browser));
-  await browser.close();
+  for (let i = 0; i < NAVIGATIONS; i++) results.push(await measureLab());
   const [{ scripts, compiledByChange }] = results as [(typeof results)[number]];
   const kilobytes = scripts.reduce((sum, { gzipBytes }) => sum + gzipBytes, 0) / 1000;
   const times = results.map(({ readyMs }) => Math.round(readyMs));
