@@ -7,6 +7,7 @@ import { type AssetLoader, messageOf } from '../scene/assets.ts';
 import { encodeBase64 } from '../scene/base64.ts';
 import { keepAsset } from '../scene/commands.ts';
 import { putMaterial } from '../scene/material-commands.ts';
+import { materialMaps } from '../scene/material-schema.ts';
 import { freeId, freeName } from '../scene/names.ts';
 import { type Asset, type Material, maxAssetBytes } from '../scene/schema.ts';
 import type { Draft } from '../scene/store.ts';
@@ -89,8 +90,10 @@ async function withReadableTextures(
   };
   for (const [name, { texture }] of Object.entries(material.textures))
     if (!(await readable(texture))) delete material.textures[name];
-  for (const map of ['normalMap', 'occlusionMap', 'emissiveMap'] as const)
-    if (material[map] !== null && !(await readable(material[map].texture))) material[map] = null;
+  for (const map of materialMaps) {
+    const texture = material[map];
+    if (texture !== null && !(await readable(texture.texture))) material[map] = null;
+  }
   return material;
 }
 
@@ -135,7 +138,6 @@ function addContents(
 function inAsset(material: Material, asset: string): Material {
   const copy = structuredClone(material);
   for (const texture of Object.values(copy.textures)) texture.asset = asset;
-  for (const map of ['normalMap', 'occlusionMap', 'emissiveMap'] as const)
-    if (copy[map] !== null) copy[map].asset = asset;
+  for (const map of materialMaps) if (copy[map] !== null) copy[map].asset = asset;
   return copy;
 }

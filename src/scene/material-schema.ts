@@ -103,6 +103,7 @@ const mapFields = {
   bumpMap: 'Height map that bends the normal',
   occlusionMap: 'Ambient occlusion: darkens ambient and environment light',
   emissiveMap: 'Multiplies the emitted light',
+  opacityMap: 'With mask or blend: multiplies the opacity, by its alpha unless a channel is chosen',
 } as const;
 
 const common = {
@@ -132,6 +133,7 @@ export const materialShape = {
   bumpMap: group(scaledTextureSchema.nullable(), mapFields.bumpMap),
   occlusionMap: group(scaledTextureSchema.nullable(), mapFields.occlusionMap),
   emissiveMap: group(scaledTextureSchema.nullable(), mapFields.emissiveMap),
+  opacityMap: group(scaledTextureSchema.nullable(), mapFields.opacityMap),
 } as const;
 
 export const materialSchema = z.strictObject(materialShape);
@@ -148,6 +150,7 @@ export const materialDefaults: Readonly<Material> = {
   bumpMap: null,
   occlusionMap: null,
   emissiveMap: null,
+  opacityMap: null,
   emissive: [0, 0, 0],
   emissiveIntensity: 1,
   alphaMode: 'opaque',
@@ -168,6 +171,7 @@ export const materialFileSchema = withDefaults(
     bumpMap: scaledTextureFileSchema.nullable().describe(mapFields.bumpMap),
     occlusionMap: scaledTextureFileSchema.nullable().describe(mapFields.occlusionMap),
     emissiveMap: scaledTextureFileSchema.nullable().describe(mapFields.emissiveMap),
+    opacityMap: scaledTextureFileSchema.nullable().describe(mapFields.opacityMap),
   },
   { ...materialDefaults, model: undefined },
 );

@@ -212,6 +212,21 @@ describe('materials become principled', () => {
     expect(material.notes).toEqual([]);
   });
 
+  test('with the alpha of their colour as opacity, where it counts', async () => {
+    const pbrMetallicRoughness = { baseColorTexture: { index: 0 } };
+    const mask = await onlyMaterial(
+      triangle(images, { pbrMetallicRoughness, alphaMode: 'MASK', alphaCutoff: 0.3 }),
+    );
+    expect(mask).toMatchObject({
+      alphaMode: 'mask',
+      alphaCutoff: 0.3,
+      opacityMap: { texture: 0, channel: 'a' },
+    });
+    store = new DocumentStore(createDocument());
+    const opaque = await onlyMaterial(triangle(images, { pbrMetallicRoughness }));
+    expect(opaque.opacityMap).toBeNull();
+  });
+
   test('with the extensions that have a counterpart', async () => {
     const { parameters } = await onlyMaterial(
       triangle(

@@ -69,6 +69,10 @@ export function convertMaterial(
     normalMap: scaled(source.normalTexture, source.normalTexture?.scale ?? 1, {}),
     occlusionMap: scaled(source.occlusionTexture, source.occlusionTexture?.strength ?? 1, { channel: 'r' }),
     emissiveMap: scaled(source.emissiveTexture, 1, { colorSpace: 'srgb' }),
+    opacityMap:
+      source.alphaMode === 'OPAQUE'
+        ? null
+        : scaled(pbr?.baseColorTexture, 1, { colorSpace: 'srgb', channel: 'a' }),
     alphaMode: ({ OPAQUE: 'opaque', MASK: 'mask', BLEND: 'blend' } as const)[source.alphaMode],
     alphaCutoff: MathUtils.clamp(source.alphaCutoff, 0, 1),
     opacity: source.alphaMode === 'OPAQUE' ? 1 : MathUtils.clamp(alpha, 0, 1),

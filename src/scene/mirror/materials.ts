@@ -1,4 +1,5 @@
 /** The materials of the document as BrdfMaterials: a changed parameter is one uniform. */
+import { materialOpacity, texture } from 'three/tsl';
 import * as THREE from 'three/webgpu';
 import { BrdfMaterial } from '../../material/brdf-material.ts';
 import { materialMaps } from '../material-schema.ts';
@@ -103,12 +104,12 @@ export class MaterialsMirror {
     const { material, source } = entry;
     for (const { name } of material.model.parameters) {
       const ref = source.textures[name] ?? null;
-      this.#setSlot(entry, `parameter ${name}`, ref, document, (texture) => {
-        material.setMap(name, texture, entry.source.textures[name]?.channel ?? undefined);
+      this.#setSlot(entry, `parameter ${name}`, ref, document, (image) => {
+        material.setMap(name, image, entry.source.textures[name]?.channel ?? undefined);
       });
     }
     for (const map of materialMaps)
-      this.#setSlot(entry, map, source[map], document, (texture) => setMap(material, map, texture));
+      this.#setSlot(entry, map, source[map], document, (image) => setMap(material, map, image, entry.source));
   }
 
   #setSlot(
@@ -116,7 +117,7 @@ export class MaterialsMirror {
     name: string,
     ref: TextureRef | null,
     { assets }: Document,
-    show: (texture: THREE.Texture | null) => void,
+    show: (image: THREE.Texture | null) => void,
   ): void {
     const old = entry.slots.get(name);
     const asset = ref === null ? undefined : assets[ref.asset];
@@ -136,9 +137,9 @@ export class MaterialsMirror {
     }
     const slot: Slot = { ref, asset, use: this.#textures.acquire(ref, asset) };
     entry.slots.set(name, slot);
-    this.#pending.add(slot.use.texture, (texture) => {
+    this.#pending.add(slot.use.texture, (image) => {
       // Another texture may have been chosen while this one was on its way.
-      if (entry.slots.get(name)?.use === slot.use) show(texture);
+      if (entry.slots.get(name)?.use === slot.use) show(image);
     });
     old?.use.release();
   }
@@ -151,11 +152,23 @@ const materialTextures = {
   emissiveMap: 'emissiveMap',
 } as const;
 
-function setMap(material: BrdfMaterial, map: MaterialMap, texture: THREE.Texture | null): void {
+function setMap(
+  material: BrdfMaterial,
+  map: MaterialMap,
+  image: THREE.Texture | null,
+  source: Material,
+): void {
+  if (map === 'opacityMap') {
+    // three's own alpha map takes red; files have their opacity in the colour's alpha.
+    const channel = source.opacityMap?.channel ?? 'a';
+    material.opacityNode = image === null ? null : materialOpacity.mul(texture(image)[channel]);
+    material.needsUpdate = true;
+    return;
+  }
   const had = material[materialTextures[map]] !== null;
-  material[materialTextures[map]] = texture;
+  material[materialTextures[map]] = image;
   // A shader with the map is another one than a shader without.
-  if (had !== (texture !== null)) material.needsUpdate = true;
+  if (had !== (image !== null)) material.needsUpdate = true;
 }
 
 /** Everything but the model's parameters and the textures themselves. */
@@ -167,7 +180,7 @@ function setSurface(material: BrdfMaterial, source: Material, before: Material |
   material.normalScale.set(normal, normal);
   material.bumpScale = source.bumpMap?.scale ?? 1;
   material.aoMapIntensity = source.occlusionMap?.scale ?? 1;
-  material.opacity = source.alphaMode === 'opaque' ? 1 : source.opacity;
+  material.opacity = source.alphaMode === 'opaque' ? 1 : source.opacity * (source.opacityMap?.scale ?? 1);
   material.alphaTest = source.alphaMode === 'mask' ? source.alphaCutoff : 0;
   material.transparent = source.alphaMode === 'blend';
   material.side = source.doubleSided ? THREE.DoubleSide : THREE.FrontSide;
