@@ -50,8 +50,10 @@ export class SceneMirror {
     if (before === document) return;
     this.#document = document;
     this.scene.name = document.name;
+    const { made } = this.#materials;
     this.#materials.apply(document, before);
     this.#objects.apply(document, before);
+    if (made !== this.#materials.made) this.#objects.refreshMaterials();
     this.#lights.apply(document, before);
     this.#environment.apply(document, before);
     if (before?.camera !== document.camera) setCamera(this.camera, document.camera);

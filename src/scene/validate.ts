@@ -82,6 +82,14 @@ function targetsChanged(document: Document, valid: Document | undefined, names: 
   });
 }
 
+function changed<T>(
+  now: Readonly<Record<string, T>>,
+  before: Readonly<Record<string, T>> | undefined,
+): [string, T][] {
+  if (now === before) return [];
+  return Object.entries(now).filter(([id, entity]) => entity !== before?.[id]);
+}
+
 function referenceIssues(document: Document, valid: Document | undefined): DocumentIssue[] {
   const issues: DocumentIssue[] = [];
   const need = (collection: 'assets' | 'materials', id: string, path: Path): void => {
@@ -93,14 +101,12 @@ function referenceIssues(document: Document, valid: Document | undefined): Docum
   const all = targetsChanged(document, valid, ['materials', 'assets', 'models']);
   const before = all ? undefined : valid;
 
-  for (const [id, object] of Object.entries(document.objects)) {
-    if (object === before?.objects[id]) continue;
+  for (const [id, object] of changed(document.objects, before?.objects)) {
     need('materials', object.material, ['objects', id, 'material']);
     if (object.geometry.type === 'gltf')
       need('assets', object.geometry.asset, ['objects', id, 'geometry', 'asset']);
   }
-  for (const [id, material] of Object.entries(document.materials)) {
-    if (material === before?.materials[id]) continue;
+  for (const [id, material] of changed(document.materials, before?.materials)) {
     issues.push(...materialIssues(document, id, material));
     for (const [path, asset] of assetsOf(material)) need('assets', asset, ['materials', id, ...path]);
   }

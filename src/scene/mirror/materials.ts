@@ -24,6 +24,8 @@ interface Entry {
 
 export class MaterialsMirror {
   readonly #entries = new Map<string, Entry>();
+  /** Counts the materials that were made: while it stays the same, so do they. */
+  made = 0;
   readonly #textures: TextureCache;
   readonly #pending: Pending;
 
@@ -62,6 +64,7 @@ export class MaterialsMirror {
       slots: new Map(),
     };
     this.#entries.set(id, entry);
+    this.made += 1;
     setSurface(entry.material, source, null);
     this.#setTextures(entry, document);
   }

@@ -31,13 +31,14 @@ export class ObjectsMirror {
       added: (id, object) => this.#add(id, object, document),
       changed: (id, object) => this.#update(id, object, document),
     });
-    // An object can stay the same while its material or its glTF file became another one.
-    for (const entry of this.#entries.values()) {
-      const material = this.#materialOf(entry.object.material);
-      if (material !== undefined && entry.mesh.material !== material) entry.mesh.material = material;
-    }
+    // An object can stay the same while its glTF file became another one.
     if (before !== null && before.assets !== document.assets)
       for (const entry of this.#entries.values()) this.#setGeometry(entry, document);
+  }
+
+  /** An object can stay the same while its material became another one. */
+  refreshMaterials(): void {
+    for (const { mesh, object } of this.#entries.values()) this.#setMaterial(mesh, object);
   }
 
   get(id: string): THREE.Mesh | undefined {
@@ -84,7 +85,13 @@ export class ObjectsMirror {
     mesh.rotation.set(x, y, z, 'XYZ');
     mesh.scale.fromArray(object.scale);
     mesh.visible = object.visible && mesh.geometry.hasAttribute('position');
+    this.#setMaterial(mesh, object);
     if (geometry) this.#setGeometry(entry, document);
+  }
+
+  #setMaterial(mesh: THREE.Mesh, { material: id }: SceneObject): void {
+    const material = this.#materialOf(id);
+    if (material !== undefined) mesh.material = material;
   }
 
   #setGeometry(entry: Entry, document: Document): void {
