@@ -64,6 +64,8 @@ const session: Session = {
   state,
   openFiles: (files) => openFiles({ store, state, assets, replaceDocument }, files),
   chooseFiles,
+  renameSelected: () => outliner.renameSelected(),
+  focusSelection: () => window.irradia.viewport?.focusSelection(),
 };
 
 const outliner = createOutliner(session);
@@ -92,9 +94,9 @@ installShortcuts([
   { key: 'd', ctrl: true, run: () => duplicateSelected(store, state) },
   { key: 'delete', run: () => deleteSelected(store, state) },
   { key: 'backspace', run: () => deleteSelected(store, state) },
-  { key: 'f', run: () => window.irradia.viewport?.focusSelection() },
+  { key: 'f', run: () => session.focusSelection() },
   { key: 'h', run: () => toggleHelpers(store) },
-  { key: 'f2', run: () => outliner.renameSelected() },
+  { key: 'f2', run: () => session.renameSelected() },
   { key: 'escape', run: () => state.select(null) },
 ]);
 

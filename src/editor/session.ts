@@ -5,6 +5,10 @@ import type { EditorStateStore } from './state.ts';
 export interface Session {
   readonly store: DocumentStore;
   readonly state: EditorStateStore;
+  /** Opens the name of what is selected for typing. */
+  renameSelected(): void;
+  /** Turns the camera to what is selected, or to everything. */
+  focusSelection(): void;
   /** Puts files into the scene, as a drop on the page does. */
   openFiles(files: readonly File[]): Promise<void>;
   /** Asks for files of the given kinds (`accept` of a file input). */

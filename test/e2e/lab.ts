@@ -110,7 +110,7 @@ export class LabPage {
     }
   }
 
-  async menu(name: 'File' | 'Add', item: string): Promise<void> {
+  async menu(name: 'File' | 'Edit' | 'Add', item: string): Promise<void> {
     await this.page.click(`.topbar >> text="${name}"`);
     await this.page.click(`.menu button >> text="${item}"`);
   }

@@ -4,6 +4,8 @@ import type { Session } from '../../session.ts';
 import type { EntityKind } from '../../state.ts';
 import { h } from '../../ui/dom.ts';
 import { type IconName, icon, setIcon } from '../../ui/icons.ts';
+import { openMenu } from '../../ui/menu.ts';
+import { selectionEntries } from '../selection-menu.ts';
 
 export interface OutlinerRow {
   readonly element: HTMLElement;
@@ -25,6 +27,11 @@ export function createRow(session: Session, kind: EntityKind, id: string): Outli
   element.addEventListener('click', () => state.select({ kind, id }));
   element.addEventListener('dblclick', (event) => {
     if (event.target !== eye && !eye.contains(event.target as Node)) rename();
+  });
+  element.addEventListener('contextmenu', (event) => {
+    event.preventDefault();
+    state.select({ kind, id });
+    openMenu(label, label.textContent ?? '', selectionEntries(session));
   });
   element.addEventListener('keydown', (event) => {
     if (event.target !== element || (event.key !== 'Enter' && event.key !== ' ')) return;

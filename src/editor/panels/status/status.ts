@@ -65,9 +65,12 @@ export function createStatus(state: EditorStateStore, times: FrameTimes): Status
     h(
       'div',
       { class: 'figures' },
-      ...[resolution, vertices, triangles, calls, backend].map((item) => item.element),
-      h('span', { class: 'spacer' }),
-      fps.element,
+      h(
+        'dl',
+        { class: 'figures-list' },
+        ...[resolution, vertices, triangles, calls, backend].map((item) => item.element),
+      ),
+      h('dl', { class: 'figures-list fixed' }, fps.element),
       continuous,
       fold,
     ),
@@ -99,7 +102,7 @@ export function createStatus(state: EditorStateStore, times: FrameTimes): Status
   let drawn = -1;
   window.setInterval(() => {
     const statistics = times.statistics(performance.now());
-    put(fps.value, statistics.fps === 0 ? 'idle' : String(statistics.fps));
+    put(fps.value, framesPerSecond(statistics, state.value.continuous));
     if (drawn === lastAt(times)) return;
     drawn = lastAt(times);
     showStatistics(statistics);
@@ -132,6 +135,13 @@ function lastAt(times: FrameTimes): number {
 
 function put(element: HTMLElement, text: string): void {
   if (element.textContent !== text) element.textContent = text;
+}
+
+function framesPerSecond({ fps, p50 }: FrameStatistics, continuous: boolean): string {
+  if (fps > 1) return String(fps);
+  // Less than a frame or two a second cannot be counted in a second.
+  if (continuous && p50 > 0) return (1000 / p50).toFixed(1);
+  return fps === 1 ? '1' : 'idle';
 }
 
 function milliseconds(value: number): string {

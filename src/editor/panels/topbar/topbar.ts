@@ -1,6 +1,6 @@
 /** The top bar: files, what can be added, undo and redo, the term that is looked at, screenshot. */
 
-import { addLight, addObject } from '../../../scene/commands.ts';
+import { addLight, addObject, removeUnused } from '../../../scene/commands.ts';
 import { addableGeometries, geometryNames } from '../../../scene/geometry-schema.ts';
 import { lightDefaults, lightTypes } from '../../../scene/light-schema.ts';
 import { addMaterial } from '../../../scene/material-commands.ts';
@@ -9,6 +9,7 @@ import type { Session } from '../../session.ts';
 import { h } from '../../ui/dom.ts';
 import { type IconName, icon, isIcon } from '../../ui/icons.ts';
 import { type MenuEntry, menuButton } from '../../ui/menu.ts';
+import { selectionEntries } from '../selection-menu.ts';
 import { createTermSelect } from './term-select.ts';
 
 export interface TopbarActions {
@@ -60,6 +61,7 @@ export function createTopbar(session: Session, actions: TopbarActions): HTMLElem
     { class: 'topbar' },
     h('span', { class: 'brand' }, h('span', { class: 'brand-mark' }), 'Irradia'),
     menuButton('File', () => fileEntries(actions)),
+    menuButton('Edit', () => editEntries(session)),
     menuButton('Add', () => addEntries(session)),
     h('span', { class: 'divider' }),
     undo,
@@ -90,6 +92,29 @@ function fileEntries(actions: TopbarActions): MenuEntry[] {
     ...actions.shippedScenes.map(
       ({ name, title }): MenuEntry => ({ label: title, icon: 'scene', run: () => actions.openShipped(name) }),
     ),
+  ];
+}
+
+function editEntries(session: Session): MenuEntry[] {
+  const { store } = session;
+  const undo = store.undoLabel ? `Undo: ${store.undoLabel}` : 'Undo';
+  const redo = store.redoLabel ? `Redo: ${store.redoLabel}` : 'Redo';
+  return [
+    { label: undo, icon: 'undo', shortcut: 'Ctrl+Z', disabled: !store.canUndo, run: () => store.undo() },
+    {
+      label: redo,
+      icon: 'redo',
+      shortcut: 'Ctrl+Shift+Z',
+      disabled: !store.canRedo,
+      run: () => store.redo(),
+    },
+    'separator',
+    ...selectionEntries(session),
+    'separator',
+    {
+      label: 'Remove unused materials and files',
+      run: () => attempt('Nothing was removed', () => removeUnused(store)),
+    },
   ];
 }
 
