@@ -17,6 +17,10 @@ export class GlslEmitter extends FunctionEmitter {
     return `struct ${this.structName(type)} {\n${fields.join('')}};\n`;
   }
 
+  protected sharedDeclaration(name: string, type: Type): string {
+    return `${this.typeName(type)} ${name};\n`;
+  }
+
   protected declaration(name: string, type: Type, init: string): string {
     return `${this.typeName(type)} ${name} = ${init};`;
   }

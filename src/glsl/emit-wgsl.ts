@@ -47,6 +47,10 @@ export class WgslEmitter extends FunctionEmitter {
     return `struct ${this.structName(type)} {\n${fields.join('')}}\n`;
   }
 
+  protected sharedDeclaration(name: string, type: Type): string {
+    return `var<private> ${name}: ${this.typeName(type)};\n`;
+  }
+
   protected declaration(name: string, type: Type, init: string): string {
     return `var ${name}: ${this.typeName(type)} = ${init};`;
   }

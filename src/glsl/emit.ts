@@ -1,3 +1,4 @@
+import { evaluateExpression } from './float64.ts';
 import type { Expr, FunctionIR, Stmt, Value, Variable } from './ir.ts';
 import { children } from './order.ts';
 import { componentCount, type StructType, scalarOf, type Type } from './types.ts';
@@ -69,6 +70,8 @@ export abstract class FunctionEmitter {
   protected abstract enter(): void;
   protected abstract typeName(type: Type): string;
   protected abstract structCode(type: StructType): string;
+  /** A variable of the whole shader invocation. */
+  protected abstract sharedDeclaration(name: string, type: Type): string;
   protected abstract declaration(name: string, type: Type, init: string): string;
   protected abstract builtin(e: Extract<Expr, { kind: 'builtin' }>, args: readonly string[]): string;
   protected abstract construct(type: Type, args: readonly string[], types: readonly Type[]): string;
@@ -183,6 +186,8 @@ export abstract class FunctionEmitter {
   }
 
   protected expression(e: Expr): string {
+    // Computed here: WGSL refuses constant expressions that are not finite, such as vec2(1) / 0.
+    if (e.constant && componentCount(e.type) > 0) return this.constant(evaluateExpression(e), e.type);
     switch (e.kind) {
       case 'literal':
         return this.literal(e.value, e.type);
@@ -239,6 +244,11 @@ export abstract class FunctionEmitter {
   }
 
   private variable(variable: Variable): string {
+    if (variable.role === 'shared') {
+      const name = `${this.prefix}_${this.variableName(variable)}`;
+      this.needs.set(name, this.sharedDeclaration(name, variable.type));
+      return name;
+    }
     if (variable.role !== 'constant') return this.readVariable(variable);
     if (componentCount(variable.type) > 0) return this.constant(variable.constant as Value, variable.type);
     const name = this.variableName(variable);

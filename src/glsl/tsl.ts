@@ -1,5 +1,6 @@
 import { CodeNode, Node, type NodeBuilder } from 'three/webgpu';
 import { checkProgram } from './check.ts';
+import { splitByLight } from './hoist.ts';
 import type { FunctionIR } from './ir.ts';
 import { findFunction, type Model } from './model.ts';
 import { parseGlsl } from './parser.ts';
@@ -114,16 +115,15 @@ class FunctionCallTextNode extends Node {
   }
 }
 
-function createCall(
-  model: Model,
-  name: string,
-  parameters: ParameterNodes,
-  argTypes: readonly string[],
-): (...args: Node[]) => Node {
+function functionNamed(model: Model, name: string): FunctionIR {
   const f = findFunction(model, name);
-  if (!f)
-    throw new RangeError(`${model.name} has no function ${name}(); its terms are ${model.terms.join(', ')}`);
+  if (f) return f;
+  throw new RangeError(`${model.name} has no function ${name}(); its terms are ${model.terms.join(', ')}`);
+}
+
+function callOf(model: Model, f: FunctionIR, parameters: ParameterNodes): (...args: Node[]) => Node {
   const callee = functionNode(shaderPrefix(model), f);
+  const types = f.arguments.map(({ variable }) => variable.type.name);
   const uses = f.uses.map((variable) => {
     const node = parameters[variable.name];
     if (!node) throw new RangeError(`${model.name}: no node was given for parameter ${variable.name}`);
@@ -131,12 +131,10 @@ function createCall(
   });
   return (...args) =>
     new FunctionCallTextNode(callee, f.result.name, [
-      ...args.map((node, i) => ({ node, type: argTypes[i] as string })),
+      ...args.map((node, i) => ({ node, type: types[i] as string })),
       ...uses,
     ]);
 }
-
-const DIRECTIONS = ['vec3', 'vec3', 'vec3', 'vec3', 'vec3'];
 
 export type BrdfCall = (
   L: Vector3Node,
@@ -145,6 +143,13 @@ export type BrdfCall = (
   X: Vector3Node,
   Y: Vector3Node,
 ) => Vector3Node;
+/** A BRDF in two parts (hoist.ts), as TSL functions. */
+export interface SplitCall {
+  /** To be put on the stack before the first light; its value (1) says nothing. */
+  readonly perView: (V: Vector3Node, N: Vector3Node, X: Vector3Node, Y: Vector3Node) => FloatNode;
+  readonly perLight: BrdfCall;
+}
+
 export type SamplerCall = (
   u: Vector2Node,
   V: Vector3Node,
@@ -162,17 +167,31 @@ export type PdfCall = (...directions: Parameters<BrdfCall>) => FloatNode;
  * @throws RangeError if there is no such term, or no node for a parameter
  */
 export function modelFunction(model: Model, name: string, parameters: ParameterNodes): BrdfCall {
-  return createCall(model, name, parameters, DIRECTIONS) as unknown as BrdfCall;
+  return callOf(model, functionNamed(model, name), parameters) as unknown as BrdfCall;
+}
+
+/**
+ * As modelFunction(), for many lights at one point: what does not depend on L is computed once.
+ *
+ * @throws RangeError if there is no such term, or no node for a parameter
+ */
+export function modelFunctionByLight(model: Model, name: string, parameters: ParameterNodes): SplitCall {
+  const f = functionNamed(model, name);
+  const { perView, perLight } = splitByLight(f, model.program);
+  return {
+    perView: callOf(model, perView, parameters) as unknown as SplitCall['perView'],
+    perLight: callOf(model, perLight, parameters) as unknown as BrdfCall,
+  };
 }
 
 /** sampleL() of a model's sampling section as a TSL function; vec3(0) where it gives no direction. */
 export function modelSampler(model: Model, parameters: ParameterNodes): SamplerCall {
-  return createCall(model, 'sampleL', parameters, ['vec2', ...DIRECTIONS.slice(1)]) as unknown as SamplerCall;
+  return callOf(model, functionNamed(model, 'sampleL'), parameters) as unknown as SamplerCall;
 }
 
 /** pdf() of a model's sampling section as a TSL function, in 1/sr. */
 export function modelPdf(model: Model, parameters: ParameterNodes): PdfCall {
-  return createCall(model, 'pdf', parameters, DIRECTIONS) as unknown as PdfCall;
+  return callOf(model, functionNamed(model, 'pdf'), parameters) as unknown as PdfCall;
 }
 
 /**

@@ -1,7 +1,7 @@
 import { cross, dot, If, positionView, uniform, vec2, vec3 } from 'three/tsl';
 import { type Light, LightingModel, type Node, type NodeBuilder } from 'three/webgpu';
 import type { Model } from '../glsl/model.ts';
-import { type BrdfCall, modelFunction, type ParameterNodes } from '../glsl/tsl.ts';
+import { modelFunctionByLight, type ParameterNodes, type SplitCall } from '../glsl/tsl.ts';
 import { AlbedoNode } from './albedo-table.ts';
 import type { EnvironmentLightNode } from './environment-light.ts';
 import { repeat } from './loop.ts';
@@ -43,19 +43,21 @@ export interface LightingOptions {
  */
 export class BrdfLightingModel extends LightingModel {
   private readonly options: LightingOptions;
-  private readonly brdf: BrdfCall;
+  private readonly brdf: SplitCall;
   private readonly sampler: Sampler;
   private frame: ShadingFrame | null = null;
 
   constructor(options: LightingOptions) {
     super();
     this.options = options;
-    this.brdf = modelFunction(options.model, options.term, options.parameters);
+    this.brdf = modelFunctionByLight(options.model, options.term, options.parameters);
     this.sampler = createSampler(options.model, options.parameters);
   }
 
   override start(builder: NodeBuilder): void {
     this.frame = shadingFrame(builder, this.options.model);
+    const { V, N, X, Y } = this.frame;
+    this.brdf.perView(V, N, X, Y).toVar();
     // Lights add to these inside branches: they must be declared, and 0, before the first of them.
     const { reflectedLight } = builder.context as unknown as {
       reflectedLight: Record<'directSpecular' | 'indirectSpecular', { assign(value: Node): void }>;
@@ -67,7 +69,7 @@ export class BrdfLightingModel extends LightingModel {
 
   private f(L: Vec3): Vec3 {
     const { V, N, X, Y } = this.frame as ShadingFrame;
-    return nonNegative(this.brdf(L, V, N, X, Y));
+    return nonNegative(this.brdf.perLight(L, V, N, X, Y));
   }
 
   /** Directional, point and spot lights; a shadow is in lightColor already. */
