@@ -10,7 +10,7 @@ import { tokenize } from './tokens.ts';
 /**
  * Models as TSL nodes. A call of a model is one node; the function's text, in the language of the builder
  * that asks, is emitted once per shader. Text rather than a node per operation: see
- * docs/decisions/0002-glsl-front-end.md.
+ * docs/decisions/glsl-front-end.md.
  */
 
 type FloatNode = Node<'float'>;
