@@ -41,8 +41,6 @@ const PATHS = {
     'M2.5 5.5v-3h3M10.5 2.5h3v3M13.5 10.5v3h-3M5.5 13.5h-3v-3M8 9.2a1.2 1.2 0 1 0 0-2.4 1.2 1.2 0 0 0 0 2.4z',
   loop: 'M13 8a5 5 0 1 1-1.5-3.5L13 6M13 2.5V6H9.5',
   chevronDown: 'M4 6l4 4 4-4',
-  reset: 'M3 8a5 5 0 1 0 1.5-3.5L3 6M3 2.5V6h3.5',
-  dot: 'M8 9.5a1.5 1.5 0 1 0 0-3 1.5 1.5 0 0 0 0 3z',
 } as const;
 
 export type IconName = keyof typeof PATHS;
