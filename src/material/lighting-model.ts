@@ -23,9 +23,9 @@ const environmentSamples = uniform(DEFAULT_ENVIRONMENT_SAMPLES).onRenderUpdate((
   return typeof samples === 'number' ? samples : DEFAULT_ENVIRONMENT_SAMPLES;
 }) as unknown as Float;
 
-/** Light samples per side of a rectangle, and directions drawn from the model. */
-const RECTANGLE_GRID = 4;
-const RECTANGLE_DIRECTIONS = 16;
+/** Samples on a rectangle, and directions drawn from the model. */
+const RECTANGLE_POINTS = 48;
+const RECTANGLE_DIRECTIONS = 32;
 
 export interface LightingOptions {
   readonly model: Model;
@@ -90,7 +90,7 @@ export class BrdfLightingModel extends LightingModel {
   }
 
   /**
-   * A rectangle, by multiple importance sampling: a grid of points on it and directions drawn from the
+   * A rectangle, by multiple importance sampling: points on it and directions drawn from the
    * model, weighted by the balance heuristic (E. Veach, 1997, section 9.2). The points serve rough
    * surfaces, the directions smooth ones.
    */
@@ -104,7 +104,7 @@ export class BrdfLightingModel extends LightingModel {
     };
     const { V, N, X, Y } = this.frame as ShadingFrame;
     const { sampleL, pdf } = this.sampler;
-    const points = RECTANGLE_GRID * RECTANGLE_GRID;
+    const points = RECTANGLE_POINTS;
     const directions = RECTANGLE_DIRECTIONS;
     const center = lightPosition.sub(positionView as Vec3).toVar() as Vec3;
     const side = cross(halfWidth, halfHeight).toVar() as unknown as Vec3;
@@ -116,17 +116,11 @@ export class BrdfLightingModel extends LightingModel {
       const both = lightDensity.mul(points).add(density.mul(directions));
       sum.addAssign(this.f(L).mul(cosine.div(both)));
     };
-    repeat(points, (k) => {
-      const j = k.div(RECTANGLE_GRID).floor();
-      const i = k.sub(j.mul(RECTANGLE_GRID));
-      const along = (n: Float) =>
-        n
-          .add(0.5)
-          .mul(2 / RECTANGLE_GRID)
-          .sub(1);
+    repeat(points, (i) => {
+      const u = latticePoint(i, points);
       const toPoint = center
-        .add(halfWidth.mul(along(i as Float)))
-        .add(halfHeight.mul(along(j as Float)))
+        .add(halfWidth.mul(u.x.mul(2).sub(1)))
+        .add(halfHeight.mul(u.y.mul(2).sub(1)))
         .toVar() as Vec3;
       const distance2 = dot(toPoint, toPoint).toVar();
       const L = toPoint.mul(distance2.inverseSqrt()).toVar() as Vec3;
