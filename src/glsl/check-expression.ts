@@ -441,6 +441,7 @@ function checkCall(
       args: converted,
     };
   }
+  if (callee.name === 'fetchData' && scope.table) return fetchData(scope.table, args, place, scope);
   const builtin = resolveBuiltin(
     callee.name,
     args.map((arg) => arg.type),
@@ -467,6 +468,24 @@ function checkCall(
         ? 'arguments that GLSL defines for it'
         : undefined,
   );
+}
+
+/** vec3 fetchData(int i): the i-th triple of the model's measured data. */
+function fetchData(table: Variable, args: readonly Expr[], place: SourcePlace, scope: Scope): Expr {
+  const [index] = args;
+  if (args.length !== 1 || index?.type !== INT) {
+    throw new BrdfError(place, `fetchData(${args.map((arg) => arg.type.name).join(', ')})`, 'fetchData(int)');
+  }
+  scope.used.add(table);
+  const data: Expr = { kind: 'variable', place, type: table.type, constant: false, variable: table };
+  return {
+    kind: 'builtin',
+    place,
+    type: vector('float', 3),
+    constant: false,
+    name: 'fetchData',
+    args: [data, index],
+  };
 }
 
 function chooseOverload(

@@ -14,11 +14,15 @@ import type { Expr, FunctionIR, Program, Stmt, Variable } from './ir.ts';
 import { countTurns } from './loops.ts';
 import { orderFunctions } from './order.ts';
 import { Scope } from './scope.ts';
-import { BOOL, FLOAT, INT, type Type, typeNamed, VOID } from './types.ts';
+import { BOOL, FLOAT, INT, TABLE, type Type, typeNamed, VOID } from './types.ts';
 
 /** Resolves and types a parsed shader. @throws BrdfError */
-export function checkProgram(tree: readonly TopLevel[], parameters: readonly Parameter[]): Program {
-  return new Checker().program(tree, parameters);
+export function checkProgram(
+  tree: readonly TopLevel[],
+  parameters: readonly Parameter[],
+  hasData = false,
+): Program {
+  return new Checker().program(tree, parameters, hasData);
 }
 
 const PARAMETER_TYPES = { float: FLOAT, color: typeNamed('vec3') as Type, bool: BOOL } as const;
@@ -27,8 +31,9 @@ class Checker {
   private nextId = 0;
   private readonly functions: FunctionIR[] = [];
 
-  program(tree: readonly TopLevel[], parameters: readonly Parameter[]): Program {
-    const scope = Scope.global();
+  program(tree: readonly TopLevel[], parameters: readonly Parameter[], hasData: boolean): Program {
+    const table = hasData ? this.variable('data', TABLE, 'parameter') : null;
+    const scope = Scope.global(table);
     const variables = parameters.map((parameter) =>
       this.variable(parameter.name, PARAMETER_TYPES[parameter.type], 'parameter'),
     );
@@ -40,6 +45,7 @@ class Checker {
       else if (item.kind === 'declare') this.global(item, globals);
       else this.function(item, globals);
     }
+    if (table) variables.push(table);
     return { parameters: variables, functions: orderFunctions(this.functions, variables) };
   }
 

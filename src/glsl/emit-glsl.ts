@@ -1,4 +1,4 @@
-import { FunctionEmitter, powerProduct, swizzle, wholeExponent } from './emit.ts';
+import { DATA_WIDTH, FunctionEmitter, powerProduct, swizzle, wholeExponent } from './emit.ts';
 import type { Expr, Variable } from './ir.ts';
 import type { StructType, Type } from './types.ts';
 
@@ -6,6 +6,7 @@ import type { StructType, Type } from './types.ts';
 export class GlslEmitter extends FunctionEmitter {
   protected typeName(type: Type): string {
     if (type.kind === 'struct') return this.useStruct(type);
+    if (type.kind === 'table') return 'highp sampler2D';
     if (type.kind === 'array') return `${this.typeName(type.element)}[${type.length}]`;
     return type.name;
   }
@@ -112,6 +113,16 @@ export class GlslEmitter extends FunctionEmitter {
         `${type} ${name}(${type} x) {\n  ${type} s = x * x;\n  return ${powerProduct(exponent)};\n}\n`,
       );
       return `${name}(${args[0]})`;
+    }
+    if (e.name === 'fetchData') {
+      const code = `vec3 irradia_fetch(highp sampler2D data, int i) {
+  ivec2 size = textureSize(data, 0);
+  int k = clamp(i, 0, size.x * size.y - 1);
+  return texelFetch(data, ivec2(k % ${DATA_WIDTH}, k / ${DATA_WIDTH}), 0).rgb;
+}
+`;
+      this.needs.set('irradia_fetch', code);
+      return `irradia_fetch(${args.join(', ')})`;
     }
     if (e.name === 'fma') return `(${args[0]} * ${args[1]} + ${args[2]})`;
     return `${e.name}(${args.join(', ')})`;

@@ -1,4 +1,4 @@
-import { FunctionEmitter, hasEffects, powerProduct, swizzle, wholeExponent } from './emit.ts';
+import { DATA_WIDTH, FunctionEmitter, hasEffects, powerProduct, swizzle, wholeExponent } from './emit.ts';
 import type { Expr, Variable } from './ir.ts';
 import { children } from './order.ts';
 import { componentCount, type StructType, type Type } from './types.ts';
@@ -27,6 +27,8 @@ export class WgslEmitter extends FunctionEmitter {
     switch (type.kind) {
       case 'void':
         return '';
+      case 'table':
+        return 'texture_2d<f32>';
       case 'scalar':
         return SCALARS[type.scalar];
       case 'vector':
@@ -317,6 +319,16 @@ export class WgslEmitter extends FunctionEmitter {
     const relation = RELATIONAL[e.name];
     if (relation) return `(${a} ${relation} ${b})`;
     switch (e.name) {
+      case 'fetchData': {
+        const code = `fn irradia_fetch(data: texture_2d<f32>, i: i32) -> vec3<f32> {
+  let size = textureDimensions(data);
+  let k = min(u32(max(i, 0)), size.x * size.y - 1u);
+  return textureLoad(data, vec2<u32>(k % ${DATA_WIDTH}u, k / ${DATA_WIDTH}u), 0).xyz;
+}
+`;
+        this.needs.set('irradia_fetch', code);
+        return `irradia_fetch(${args.join(', ')})`;
+      }
       case 'not':
         return `(!${a})`;
       case 'mod':

@@ -121,6 +121,7 @@ export abstract class FunctionEmitter {
   protected zero(type: Type): string {
     switch (type.kind) {
       case 'void':
+      case 'table':
         return '';
       case 'scalar':
         return this.literal(type.scalar === 'bool' ? false : 0, type);
@@ -149,6 +150,7 @@ export abstract class FunctionEmitter {
   protected constant(value: Value, type: Type): string {
     switch (type.kind) {
       case 'void':
+      case 'table':
       case 'scalar':
         return this.literal(value as number | boolean, type);
       case 'vector':
@@ -350,6 +352,9 @@ function alwaysReturns(body: readonly Stmt[]): boolean {
   if (last.kind === 'block') return alwaysReturns(last.body);
   return last.kind === 'if' && last.no !== null && alwaysReturns([last.yes]) && alwaysReturns([last.no]);
 }
+
+/** Texels per row of the texture that holds a model's measured data. */
+export const DATA_WIDTH = 2048;
 
 /** The exponent of pow(x, n) for whole n from 2 to 8, which products serve better: also where x < 0. */
 export function wholeExponent(e: Extract<Expr, { kind: 'builtin' }>): number | null {

@@ -3,6 +3,7 @@ import { resolveParameters } from '../brdf/values.ts';
 import { Float64Program } from './float64.ts';
 import type { Value } from './ir.ts';
 import { findFunction, type Model } from './model.ts';
+import { TABLE } from './types.ts';
 
 export type Vector3 = readonly [number, number, number];
 
@@ -35,7 +36,8 @@ export function createEvaluator(model: Model, values: Readonly<Record<string, un
   const set = (next: Readonly<Record<string, unknown>>): void => {
     const resolved: ParameterValues = resolveParameters(model.file, next);
     for (const variable of model.program.parameters) {
-      program.cell(variable).value = resolved[variable.name] as Value;
+      const value = variable.type === TABLE ? model.data : resolved[variable.name];
+      program.cell(variable).value = value as Value;
     }
   };
   const callables = new Map<string, (...args: Value[]) => Value>();

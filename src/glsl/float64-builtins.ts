@@ -110,6 +110,7 @@ export function builtinFloat64(name: string, types: readonly Type[]): Builtin {
     const test = name === 'isnan' ? Number.isNaN : (x: number) => Math.abs(x) === Number.POSITIVE_INFINITY;
     return (a) => (isList ? (a as Vector).map(test) : test(a as number));
   }
+  if (name === 'fetchData') return fetchData;
   if (name === 'mix') return mix(types);
   if (first.kind === 'matrix') return matrixFunction(name, first.columns, first.rows);
   const comparison = COMPARISONS[name];
@@ -157,4 +158,11 @@ function determinant(m: Vector, n: number): number {
     sum += (r % 2 === 0 ? 1 : -1) * (m[r] as number) * determinant(minor, n - 1);
   }
   return sum;
+}
+
+/** Out of range reads the nearest triple, as on the GPU. */
+function fetchData(table: Value, index: Value | undefined): Value {
+  const data = table as Float32Array;
+  const i = 3 * Math.max(0, Math.min(index as number, data.length / 3 - 1));
+  return [data[i] as number, data[i + 1] as number, data[i + 2] as number];
 }

@@ -6,6 +6,8 @@ export function zeroOf(type: Type): Value {
   switch (type.kind) {
     case 'void':
       return 0;
+    case 'table':
+      return new Float32Array(3);
     case 'scalar':
       return type.scalar === 'bool' ? false : 0;
     case 'vector':

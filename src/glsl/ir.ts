@@ -6,8 +6,8 @@ import type { Type } from './types.ts';
  * The back ends (float64.ts, emit.ts) walk it and never have to guess.
  */
 
-/** Scalars are numbers or booleans; vectors and (column by column) matrices, arrays and structs are lists. */
-export type Value = number | boolean | readonly Value[];
+/** Scalars are numbers or booleans; a table of data is its array; vectors and (column by column) matrices, arrays and structs are lists. */
+export type Value = number | boolean | Float32Array | readonly Value[];
 
 export interface Variable {
   readonly id: number;
@@ -109,6 +109,7 @@ export interface FunctionIR {
 }
 
 export interface Program {
+  /** In the order of the file's table; last, if the model has measured data, the variable that stands for it. */
   readonly parameters: readonly Variable[];
   /** Every function with a body, each after those that it calls. */
   readonly functions: readonly FunctionIR[];

@@ -18,6 +18,8 @@ export interface Model {
   /** Whether the file brings sampleL() and pdf() of its own. */
   readonly hasSampling: boolean;
   readonly program: Program;
+  /** Measured data, RGB triples that the GLSL reads by fetchData(int); null for a formula. */
+  readonly data: Float32Array | null;
 }
 
 const DIRECTIONS = 'vec3 L, vec3 V, vec3 N, vec3 X, vec3 Y';
@@ -32,10 +34,13 @@ const CONTRACT = {
   pdf: { result: 'float', args: 'vec3 vec3 vec3 vec3 vec3', text: `float pdf(${DIRECTIONS})` },
 } as const;
 
-/** @throws BrdfError naming file, line and what was expected */
-export function compileModel(file: BrdfFile): Model {
+/**
+ * @param data measured RGB triples; the file's GLSL may then call `vec3 fetchData(int i)`
+ * @throws BrdfError naming file, line and what was expected
+ */
+export function compileModel(file: BrdfFile, data: Float32Array | null = null): Model {
   const lines = [...file.shader.lines, ...(file.sampling?.lines ?? [])];
-  const program = checkProgram(parseGlsl(tokenize({ lines })), file.parameters);
+  const program = checkProgram(parseGlsl(tokenize({ lines })), file.parameters, data !== null);
   const last = file.shader.lines.at(-1) ?? { file: file.fileName, line: 1 };
   const model: Model = {
     name: file.name,
@@ -44,6 +49,7 @@ export function compileModel(file: BrdfFile): Model {
     terms: termsOf(program),
     hasSampling: file.sampling !== null,
     program,
+    data,
   };
   const wanted = file.sampling ? (['BRDF', 'sampleL', 'pdf'] as const) : (['BRDF'] as const);
   for (const name of wanted) {

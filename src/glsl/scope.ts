@@ -5,22 +5,34 @@ import type { StructType } from './types.ts';
 export class Scope {
   readonly functions: Map<string, FunctionIR[]>;
   readonly structs: Map<string, StructType>;
+  /** What fetchData() reads; null if the model has no measured data. */
+  readonly table: Variable | null;
   /** Parameters read and functions called so far by the function that is being checked. */
   readonly used: Set<Variable>;
   readonly calls: Set<FunctionIR>;
   private readonly names = new Map<string, Variable | FunctionIR>();
   private readonly parent: Scope | null;
 
-  private constructor(parent: Scope | null, shared: Pick<Scope, 'functions' | 'structs' | 'used' | 'calls'>) {
+  private constructor(
+    parent: Scope | null,
+    shared: Pick<Scope, 'functions' | 'structs' | 'table' | 'used' | 'calls'>,
+  ) {
     this.parent = parent;
     this.functions = shared.functions;
     this.structs = shared.structs;
+    this.table = shared.table;
     this.used = shared.used;
     this.calls = shared.calls;
   }
 
-  static global(): Scope {
-    return new Scope(null, { functions: new Map(), structs: new Map(), used: new Set(), calls: new Set() });
+  static global(table: Variable | null): Scope {
+    return new Scope(null, {
+      functions: new Map(),
+      structs: new Map(),
+      table,
+      used: new Set(),
+      calls: new Set(),
+    });
   }
 
   /** The scope of a function's body: what it reads and calls is collected afresh. */
@@ -28,6 +40,7 @@ export class Scope {
     return new Scope(this, {
       functions: this.functions,
       structs: this.structs,
+      table: this.table,
       used: new Set(),
       calls: new Set(),
     });

@@ -7,6 +7,7 @@ import type { Model } from './model.ts';
 export type ShadingLanguage = 'wgsl' | 'glsl';
 
 const prefixes = new WeakMap<Model, string>();
+let dataModels = 0;
 
 /**
  * What starts every global name of a model's shader code: the same for equal sources, so that materials
@@ -19,7 +20,9 @@ export function shaderPrefix(model: Model): string {
       (line) => line.text,
     );
     const table = model.parameters.map(({ type, name }) => `${type} ${name}`);
-    prefix = textPrefix([...table, ...lines].join('\n'));
+    // Measured data is in no text: such models share nothing.
+    const data = model.data ? `d${dataModels++}` : '';
+    prefix = textPrefix([...table, ...lines].join('\n')) + data;
     prefixes.set(model, prefix);
   }
   return prefix;

@@ -1,11 +1,14 @@
-import { CodeNode, Node, type NodeBuilder } from 'three/webgpu';
+import { texture } from 'three/tsl';
+import { CodeNode, DataTexture, FloatType, Node, type NodeBuilder, RGBAFormat } from 'three/webgpu';
 import { checkProgram } from './check.ts';
+import { DATA_WIDTH } from './emit.ts';
 import { splitByLight } from './hoist.ts';
 import type { FunctionIR } from './ir.ts';
 import { findFunction, type Model } from './model.ts';
 import { parseGlsl } from './parser.ts';
 import { emitFunction, type ShadingLanguage, shaderPrefix, textPrefix } from './shader-text.ts';
 import { tokenize } from './tokens.ts';
+import { TABLE } from './types.ts';
 
 /**
  * Models as TSL nodes. A call of a model is one node; the function's text, in the language of the builder
@@ -121,10 +124,35 @@ function functionNamed(model: Model, name: string): FunctionIR {
   throw new RangeError(`${model.name} has no function ${name}(); its terms are ${model.terms.join(', ')}`);
 }
 
+const dataNodes = new WeakMap<Model, Node>();
+
+/** A texture with a model's measured data, row by row. */
+function dataNode(model: Model): Node {
+  let node = dataNodes.get(model);
+  if (!node) {
+    const triples = model.data ?? new Float32Array(3);
+    const height = Math.ceil(triples.length / 3 / DATA_WIDTH);
+    const texels = new Float32Array(DATA_WIDTH * height * 4);
+    // Texels past the end repeat the last triple, which is what reading out of range gives.
+    const last = triples.length / 3 - 1;
+    for (let i = 0; i < texels.length / 4; i++) {
+      const k = 3 * Math.min(i, last);
+      texels.set(triples.subarray(k, k + 3), 4 * i);
+    }
+    const data = new DataTexture(texels, DATA_WIDTH, height, RGBAFormat, FloatType);
+    data.needsUpdate = true;
+    node = texture(data) as unknown as Node;
+    dataNodes.set(model, node);
+  }
+  return node;
+}
+
 function callOf(model: Model, f: FunctionIR, parameters: ParameterNodes): (...args: Node[]) => Node {
   const callee = functionNode(shaderPrefix(model), f);
   const types = f.arguments.map(({ variable }) => variable.type.name);
   const uses = f.uses.map((variable) => {
+    // Three.js takes 'texture' for the name of the binding, which is what a function is given.
+    if (variable.type === TABLE) return { node: dataNode(model), type: 'texture' };
     const node = parameters[variable.name];
     if (!node) throw new RangeError(`${model.name}: no node was given for parameter ${variable.name}`);
     return { node, type: variable.type.name };

@@ -34,9 +34,15 @@ export interface ArrayType {
   readonly element: Type;
   readonly length: number;
 }
-export type Type = VoidType | ScalarType | VectorType | MatrixType | StructType | ArrayType;
+/** A model's measured data: RGB triples, read by fetchData(). Nothing in a file can name this type. */
+export interface TableType {
+  readonly kind: 'table';
+  readonly name: 'table';
+}
+export type Type = TableType | VoidType | ScalarType | VectorType | MatrixType | StructType | ArrayType;
 
 export const VOID: VoidType = { kind: 'void', name: 'void' };
+export const TABLE: TableType = { kind: 'table', name: 'table' };
 
 const scalars = new Map<ScalarName, ScalarType>(
   (['float', 'int', 'uint', 'bool'] as const).map((name) => [name, { kind: 'scalar', name, scalar: name }]),

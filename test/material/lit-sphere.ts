@@ -1,8 +1,9 @@
 import { normalView, positionView, tangentView, vec4 } from 'three/tsl';
 import * as THREE from 'three/webgpu';
 import { shippedModels } from '../../models/index.ts';
+import { parseBrdf } from '../../src/brdf/parse.ts';
 import { createEvaluator, type Frame, type Vector3 } from '../../src/glsl/evaluator.ts';
-import type { Model } from '../../src/glsl/model.ts';
+import { compileModel, type Model } from '../../src/glsl/model.ts';
 import { falloffAt } from '../../src/lights/falloff.ts';
 import { BrdfPointLight } from '../../src/lights/point-light.ts';
 import { BrdfSpotLight, spotFactor } from '../../src/lights/spot-light.ts';
@@ -97,7 +98,33 @@ export const MATERIAL_CASES: Readonly<Record<string, { model: string; values: Re
     values: { anisotropic: 0.8, roughness: 0.5, metallic: 1 },
   },
   'principled-thesis': { model: 'principled-thesis', values: { roughness: 0.4, subsurface: 0.3 } },
+  'measured data': { model: '', values: {} },
 };
+
+/** A model whose values are measured: RGB triples by the half vector's cosine, interpolated in its GLSL. */
+const measured = compileModel(
+  parseBrdf(
+    `analytic
+::begin parameters
+float strength 0 2 1
+::end parameters
+::begin shader
+vec3 BRDF(vec3 L, vec3 V, vec3 N, vec3 X, vec3 Y) {
+  float x = max(dot(N, normalize(L + V)), 0.) * 4095.;
+  int i = int(x);
+  return strength * mix(fetchData(i), fetchData(i + 1), x - float(i));
+}
+::end shader`,
+    'measured.brdf',
+  ),
+  Float32Array.from({ length: 4096 * 3 }, (_, i) => 0.2 + Math.sin(i / 4096) ** 2),
+);
+
+function materialNamed(name: string): { model: Model; values: Record<string, unknown> } {
+  if (name === 'measured data') return { model: measured, values: { strength: 0.7 } };
+  const { model, values } = MATERIAL_CASES[name] as (typeof MATERIAL_CASES)[string];
+  return { model: modelNamed(model), values };
+}
 
 export function modelNamed(name: string): Model {
   return shippedModels.get(name) as Model;
@@ -206,9 +233,8 @@ export async function compareSphere(
   materialCase: string,
   lightCase: string,
 ): Promise<Comparison> {
-  const { model: name, values } = MATERIAL_CASES[materialCase] as (typeof MATERIAL_CASES)[string];
+  const { model, values } = materialNamed(materialCase);
   const light = LIGHT_CASES[lightCase] as LightCase;
-  const model = modelNamed(name);
   const material = new BrdfMaterial(model, values);
   const pixels = await drawSphere(renderer, geometry, material, light.create());
   material.dispose();
