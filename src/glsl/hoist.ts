@@ -1,7 +1,13 @@
 import { inlineCalls } from './inline.ts';
 import type { Expr, FunctionIR, Program, Stmt, Variable } from './ir.ts';
 import { functionOf, mapChildren, mapStatement, someNode } from './rewrite.ts';
-import { FLOAT } from './types.ts';
+import { componentCount, FLOAT, scalarOf, TABLE } from './types.ts';
+
+/** A quantity that depends on the model's parameters alone, and on earlier ones of its kind. */
+export interface Derived {
+  readonly variable: Variable;
+  readonly init: Expr;
+}
 
 /**
  * A BRDF in two parts, for a surface point with many lights: what depends on the view, the frame and the
@@ -12,17 +18,23 @@ export interface SplitFunction {
   readonly perView: FunctionIR;
   /** As the BRDF; reads what perView left in the shared variables. */
   readonly perLight: FunctionIR;
+  /** What both take as further arguments, after the parameters: computed once per material. */
+  readonly derived: readonly Derived[];
 }
 
-const splits = new WeakMap<FunctionIR, SplitFunction>();
+const splits = new WeakMap<FunctionIR, Map<boolean, SplitFunction>>();
 
-/** Splits BRDF() or a term. Its first argument is L. */
-export function splitByLight(f: FunctionIR, program: Program): SplitFunction {
-  let split = splits.get(f);
-  if (!split) {
-    split = new Splitter(inlineCalls(f, program.parameters), program).split();
-    splits.set(f, split);
-  }
+/**
+ * Splits BRDF() or a term. Its first argument is L.
+ *
+ * @param even whether the parameters are the same all over the surface: what depends on them alone is then
+ *   derived once per material; else it is computed once per view
+ */
+export function splitByLight(f: FunctionIR, program: Program, even: boolean): SplitFunction {
+  const known = splits.get(f) ?? new Map<boolean, SplitFunction>();
+  splits.set(f, known);
+  const split = known.get(even) ?? new Splitter(inlineCalls(f, program.parameters), program, even).split();
+  known.set(even, split);
   return split;
 }
 
@@ -31,6 +43,7 @@ type Guards = readonly Expr[];
 
 class Splitter {
   private readonly hoisted: Stmt[] = [];
+  private readonly derived: Derived[] = [];
   private readonly varying = new Set<Variable>();
   private readonly shared = new Map<Variable, Variable>();
   /** Shared variables by the text of their expression, so that each is computed once. */
@@ -38,16 +51,18 @@ class Splitter {
   private nextId = 2_000_000;
   private readonly f: FunctionIR;
   private readonly program: Program;
+  private readonly even: boolean;
 
-  constructor(f: FunctionIR, program: Program) {
+  constructor(f: FunctionIR, program: Program, even: boolean) {
     this.f = f;
     this.program = program;
+    this.even = even;
   }
 
   split(): SplitFunction {
     const [light, ...rest] = this.f.arguments;
     if (light) this.varying.add(light.variable);
-    const body = this.statements(this.f.body, []);
+    const body = this.statements(this.withoutEarlyReturns(this.f.body), []);
     const one: Expr = { kind: 'literal', place: this.f.place, type: FLOAT, constant: true, value: 1 };
     const perView = functionOf(
       this.f,
@@ -59,10 +74,53 @@ class Splitter {
       },
       this.program.parameters,
     );
-    return {
-      perView,
-      perLight: functionOf(this.f, { name: `${this.f.name}Light`, body }, this.program.parameters),
-    };
+    const perLight = functionOf(this.f, { name: `${this.f.name}Light`, body }, this.program.parameters);
+    return { perView, perLight, derived: this.derived };
+  }
+
+  /**
+   * `if (test) return c; ... return x;` as `... return test ? c : x;`: a return in the middle costs more on a
+   * GPU (compilers make a loop of it) than the few lanes that would have left early save.
+   */
+  private withoutEarlyReturns(body: readonly Stmt[]): readonly Stmt[] {
+    const last = body.at(-1);
+    if (last?.kind !== 'return' || !last.value) return body;
+    const early: { test: Expr; value: Expr }[] = [];
+    const rest = body.slice(0, -1).flatMap((s): Stmt[] => {
+      const value = s.kind === 'if' && !s.no ? returnedConstant(s.yes) : null;
+      if (s.kind !== 'if' || !value) return [s];
+      const variable = this.local('early', s.test.type);
+      early.push({
+        test: { kind: 'variable', place: s.place, type: variable.type, constant: false, variable },
+        value,
+      });
+      return [{ kind: 'declare', place: s.place, variable, init: s.test }];
+    });
+    if (early.length === 0) return body;
+    const { place } = last;
+    const result = this.local('result', last.value.type);
+    const read: Expr = { kind: 'variable', place, type: result.type, constant: false, variable: result };
+    const value = early.reduceRight<Expr>(
+      (no, { test, value: yes }) => ({
+        kind: 'ternary',
+        place,
+        type: result.type,
+        constant: false,
+        test,
+        yes,
+        no,
+      }),
+      read,
+    );
+    return [
+      ...rest,
+      { kind: 'declare', place, variable: result, init: last.value },
+      { kind: 'return', place, value },
+    ];
+  }
+
+  private local(name: string, type: Expr['type']): Variable {
+    return { id: this.nextId++, name, type, role: 'local', constant: null, assigned: false };
   }
 
   private statements(body: readonly Stmt[], guards: Guards): Stmt[] {
@@ -71,7 +129,7 @@ class Splitter {
         case 'declare': {
           const init = s.init && this.rename(s.init);
           if (init && !s.variable.assigned && this.isInvariant(init)) {
-            this.shared.set(s.variable, this.share(init, guards, s.variable));
+            this.shared.set(s.variable, this.settle(init, guards, s.variable));
             return [];
           }
           this.varying.add(s.variable);
@@ -150,53 +208,104 @@ class Splitter {
   }
 
   private share(init: Expr, guards: Guards, like?: Variable): Variable {
-    const key = `${guards.map(textOf).join('&')}|${textOf(init)}`;
+    if (isUniform(init)) return this.keep(init, guards, like);
+    if (this.isDerivable(init)) return this.keep(this.read(this.derive(init, like), init), guards, like);
+    return this.keep(this.deriveWithin(init), guards, like);
+  }
+
+  /** Puts a value into a shared variable, once. */
+  private keep(inner: Expr, guards: Guards, like?: Variable): Variable {
+    const key = `${guards.map(textOf).join('&')}|${textOf(inner)}`;
     const found = this.known.get(key);
     if (found) return found;
-    const variable: Variable = {
-      id: this.nextId++,
-      name: `${this.f.name}${this.f.id}${like?.name ?? ''}`,
-      type: init.type,
-      role: 'shared',
-      constant: null,
-      assigned: true,
-    };
+    const variable = this.variable(inner, 'shared', like);
     this.known.set(key, variable);
-    const target: Expr = { kind: 'variable', place: init.place, type: init.type, constant: false, variable };
-    const statement: Stmt = {
-      kind: 'expression',
-      place: init.place,
-      expression: {
-        kind: 'assign',
-        place: init.place,
-        type: init.type,
-        constant: false,
-        operator: null,
-        target,
-        value: init,
-      },
+    const { place, type } = inner;
+    const target: Expr = { kind: 'variable', place, type, constant: false, variable };
+    const assign: Expr = {
+      kind: 'assign',
+      place,
+      type,
+      constant: false,
+      operator: null,
+      target,
+      value: inner,
     };
-    this.hoisted.push(
-      guards.reduceRight<Stmt>(
-        (inner, test) => ({
-          kind: 'if',
-          place: test.place,
-          test,
-          yes: { kind: 'block', place: test.place, body: [inner] },
-          no: null,
-        }),
-        statement,
-      ),
-    );
+    const under = (body: Stmt, test: Expr): Stmt => ({
+      kind: 'if',
+      place: test.place,
+      test,
+      yes: { kind: 'block', place: test.place, body: [body] },
+      no: null,
+    });
+    this.hoisted.push(guards.reduceRight<Stmt>(under, { kind: 'expression', place, expression: assign }));
     return variable;
   }
+
+  /** The variable that a hoisted declaration becomes. */
+  private settle(init: Expr, guards: Guards, like: Variable): Variable {
+    if (isUniform(init) && init.kind === 'variable') return init.variable;
+    return this.isDerivable(init) ? this.derive(init, like) : this.share(init, guards, like);
+  }
+
+  private variable(init: Expr, role: 'shared' | 'derived', like?: Variable): Variable {
+    const name = `${this.f.name}${this.f.id}${like?.name ?? ''}`;
+    return { id: this.nextId++, name, type: init.type, role, constant: null, assigned: role === 'shared' };
+  }
+
+  private derive(init: Expr, like?: Variable): Variable {
+    const key = `derived|${textOf(init)}`;
+    const found = this.known.get(key);
+    if (found) return found;
+    const variable = this.variable(init, 'derived', like);
+    this.known.set(key, variable);
+    this.derived.push({ variable, init });
+    return variable;
+  }
+
+  /** Replaces the largest parts that depend on parameters alone. */
+  private deriveWithin(e: Expr): Expr {
+    if (isUniform(e)) return e;
+    if (!isWorthwhile(e) || !this.isDerivable(e)) return mapChildren(e, (child) => this.deriveWithin(child));
+    return this.read(this.derive(e), e);
+  }
+
+  private read(variable: Variable, like: Expr): Expr {
+    return { kind: 'variable', place: like.place, type: like.type, constant: false, variable };
+  }
+
+  /** Whether a uniform can hold it and the parameters determine it. */
+  private isDerivable(e: Expr): boolean {
+    const determined = (node: Expr) =>
+      node.kind !== 'variable' ||
+      node.variable.role === 'derived' ||
+      node.variable.role === 'constant' ||
+      (node.variable.role === 'parameter' && node.variable.type !== TABLE);
+    return (
+      this.even &&
+      scalarOf(e.type) === 'float' &&
+      componentCount(e.type) > 0 &&
+      !someNode(e, (node) => !determined(node))
+    );
+  }
+}
+
+/** The constant that a statement returns, if that is all it does. */
+function returnedConstant(s: Stmt): Expr | null {
+  if (s.kind === 'block') return s.body.length === 1 ? returnedConstant(s.body[0] as Stmt) : null;
+  return s.kind === 'return' && s.value?.constant ? s.value : null;
+}
+
+function isUniform(e: Expr): boolean {
+  return e.kind === 'variable' && (e.variable.role === 'parameter' || e.variable.role === 'derived');
 }
 
 /** Whether computing this costs more than reading a variable. */
 function isWorthwhile(e: Expr): boolean {
   if (e.constant || e.type.kind === 'void' || e.type.kind === 'struct' || e.type.kind === 'array')
     return false;
-  if (e.kind === 'variable' || e.kind === 'literal') return false;
+  // A parameter is a uniform: reading one anew for each light costs a bounds check each time.
+  if (e.kind === 'variable') return isUniform(e) && e.type !== TABLE;
   if (e.kind === 'swizzle' || e.kind === 'construct')
     return (e.kind === 'swizzle' ? [e.object] : e.args).some(isWorthwhile);
   return true;

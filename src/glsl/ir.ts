@@ -15,9 +15,10 @@ export interface Variable {
   readonly type: Type;
   /**
    * `parameter` is one of the model's parameters; `constant` has a value known now and is declared nowhere;
-   * `argument` and `local` belong to a function; `shared` is what a split function keeps between its parts.
+   * `argument` and `local` belong to a function; `shared` is what a split function keeps between its
+   * parts, `derived` what its caller computes from the parameters (hoist.ts).
    */
-  readonly role: 'parameter' | 'constant' | 'argument' | 'local' | 'shared';
+  readonly role: 'parameter' | 'constant' | 'argument' | 'local' | 'shared' | 'derived';
   /** The value, if the role is `constant`. */
   readonly constant: Value | null;
   /** Set by the checker when anything assigns to it after its declaration. */

@@ -91,9 +91,11 @@ export function functionOf(
   parameters: readonly Variable[],
 ): FunctionIR {
   const read = new Set<Variable>();
+  const derived = new Set<Variable>();
   const calls = new Set<FunctionIR>();
   const visit = (e: Expr): void => {
     if (e.kind === 'variable' && e.variable.role === 'parameter') read.add(e.variable);
+    if (e.kind === 'variable' && e.variable.role === 'derived') derived.add(e.variable);
     if (e.kind === 'call') {
       calls.add(e.callee);
       for (const variable of e.callee.uses) read.add(variable);
@@ -104,7 +106,7 @@ export function functionOf(
   return {
     ...base,
     ...changes,
-    uses: parameters.filter((variable) => read.has(variable)),
+    uses: [...parameters.filter((variable) => read.has(variable)), ...derived],
     calls: [...calls],
   };
 }

@@ -3,7 +3,7 @@ import { CodeNode, DataTexture, FloatType, Node, type NodeBuilder, RGBAFormat } 
 import { checkProgram } from './check.ts';
 import { DATA_WIDTH } from './emit.ts';
 import { splitByLight } from './hoist.ts';
-import type { FunctionIR } from './ir.ts';
+import type { FunctionIR, Variable } from './ir.ts';
 import { findFunction, type Model } from './model.ts';
 import { parseGlsl } from './parser.ts';
 import { emitFunction, type ShadingLanguage, shaderPrefix, textPrefix } from './shader-text.ts';
@@ -147,13 +147,18 @@ function dataNode(model: Model): Node {
   return node;
 }
 
-function callOf(model: Model, f: FunctionIR, parameters: ParameterNodes): (...args: Node[]) => Node {
+function callOf(
+  model: Model,
+  f: FunctionIR,
+  parameters: ParameterNodes,
+  derived: ReadonlyMap<Variable, Node> = new Map(),
+): (...args: Node[]) => Node {
   const callee = functionNode(shaderPrefix(model), f);
   const types = f.arguments.map(({ variable }) => variable.type.name);
   const uses = f.uses.map((variable) => {
     // Three.js takes 'texture' for the name of the binding, which is what a function is given.
     if (variable.type === TABLE) return { node: dataNode(model), type: 'texture' };
-    const node = parameters[variable.name];
+    const node = variable.role === 'derived' ? derived.get(variable) : parameters[variable.name];
     if (!node) throw new RangeError(`${model.name}: no node was given for parameter ${variable.name}`);
     return { node, type: variable.type.name };
   });
@@ -201,14 +206,21 @@ export function modelFunction(model: Model, name: string, parameters: ParameterN
 /**
  * As modelFunction(), for many lights at one point: what does not depend on L is computed once.
  *
+ * @param derived nodes for the quantities of derivedQuantities(), in its order, if the parameters are the
+ *   same all over the surface; null if they vary
  * @throws RangeError if there is no such term, or no node for a parameter
  */
-export function modelFunctionByLight(model: Model, name: string, parameters: ParameterNodes): SplitCall {
-  const f = functionNamed(model, name);
-  const { perView, perLight } = splitByLight(f, model.program);
+export function modelFunctionByLight(
+  model: Model,
+  name: string,
+  parameters: ParameterNodes,
+  derived: readonly Node[] | null,
+): SplitCall {
+  const split = splitByLight(functionNamed(model, name), model.program, derived !== null);
+  const nodes = new Map(split.derived.map(({ variable }, i) => [variable, derived?.[i] as Node]));
   return {
-    perView: callOf(model, perView, parameters) as unknown as SplitCall['perView'],
-    perLight: callOf(model, perLight, parameters) as unknown as BrdfCall,
+    perView: callOf(model, split.perView, parameters, nodes) as unknown as SplitCall['perView'],
+    perLight: callOf(model, split.perLight, parameters, nodes) as unknown as BrdfCall,
   };
 }
 

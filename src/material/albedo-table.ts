@@ -21,7 +21,7 @@ import { repeat } from './loop.ts';
 import { nonNegative } from './non-negative.ts';
 import { parameterNodes } from './parameter-nodes.ts';
 import { createSampler, latticePoint } from './sampler.ts';
-import { dependsOnTangent } from './shading-frame.ts';
+import { dependsOnTangent } from './tangent-dependence.ts';
 
 type Float = Node<'float'>;
 type Vec3 = Node<'vec3'>;
@@ -121,9 +121,7 @@ export class AlbedoTable {
   private drawn = '';
 
   update(renderer: Renderer, material: BrdfMaterial): void {
-    // By value: a colour may be changed in place.
-    const values = material.model.parameters.map(({ name }) => String(material.get(name)));
-    const state = [material.term, ...values].join(' ');
+    const state = `${material.term} ${material.valuesVersion}`;
     if (this.drawn === state) return;
     this.drawn = state;
     passFor(material.model, material.term).render(renderer, material, this.target);

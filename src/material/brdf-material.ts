@@ -6,18 +6,22 @@ import {
   type Scene,
   type Texture,
   Vector2,
+  Vector3,
+  Vector4,
 } from 'three/webgpu';
 import { BrdfParameterError } from '../brdf/error.ts';
-import type { Parameter, ParameterValue, Rgb } from '../brdf/model.ts';
+import type { Parameter, ParameterValue, ParameterValues, Rgb } from '../brdf/model.ts';
 import { checkValue, resolveParameters } from '../brdf/values.ts';
-import { createEvaluator } from '../glsl/evaluator.ts';
+import { derivedQuantities } from '../glsl/derived.ts';
+import { createEvaluator, type Evaluator } from '../glsl/evaluator.ts';
 import type { Model } from '../glsl/model.ts';
 import { shaderPrefix } from '../glsl/shader-text.ts';
 import { AlbedoTable, alwaysRefreshed } from './albedo-table.ts';
 import { EnvironmentLightNode } from './environment-light.ts';
 import { highlightAlpha } from './generic-sampler.ts';
 import { BrdfLightingModel } from './lighting-model.ts';
-import { type Channel, type ParameterMap, parameterNodes } from './parameter-nodes.ts';
+import { type Channel, derivedNodes, type ParameterMap, parameterNodes } from './parameter-nodes.ts';
+import { dependsOnTangent, turnsWithTangent } from './tangent-dependence.ts';
 
 /**
  * A three.js material made from any model. It runs under WebGPURenderer, on WebGPU and on WebGL 2.
@@ -58,14 +62,28 @@ export class BrdfMaterial extends NodeMaterial {
   /** The directional albedo over n.v; null until the material is first built for light from everywhere. */
   albedoTable: AlbedoTable | null = null;
   private currentTerm = 'BRDF';
-  private highlight: { key: string; alpha: number } | null = null;
+  private ownEvaluator: Evaluator | null = null;
+  private changes = 0;
+  private readonly snapshot: number[] = [];
+  private readonly cache = new Map<string, { version: number; term: string; value: unknown }>();
 
   /** @throws BrdfParameterError for a value that does not suit its parameter, or a parameter the model lacks */
   constructor(model: Model, values: Readonly<Record<string, unknown>> = {}) {
     super();
     this.lights = true;
     this.model = model;
-    hide(this, 'model', 'values', 'maps', 'albedoTable', 'currentTerm', 'highlight');
+    hide(
+      this,
+      'model',
+      'values',
+      'maps',
+      'albedoTable',
+      'currentTerm',
+      'ownEvaluator',
+      'changes',
+      'snapshot',
+      'cache',
+    );
     const plain = Object.fromEntries(Object.entries(values).map(([name, value]) => [name, fromColor(value)]));
     const resolved = resolveParameters(model.file, plain);
     for (const parameter of model.parameters) {
@@ -130,15 +148,51 @@ export class BrdfMaterial extends NodeMaterial {
     this.needsUpdate = true;
   }
 
+  /**
+   * Counts the changes of parameters. Found by comparing, since a colour may be changed in place; in numbers,
+   * without allocating, since every object asks in every frame.
+   */
+  get valuesVersion(): number {
+    const { snapshot } = this;
+    let changed = snapshot.length === 0;
+    let i = 0;
+    for (const { name } of this.model.parameters) {
+      const value = this.values[name] as number | Color;
+      if (typeof value === 'number') {
+        if (snapshot[i] !== value) {
+          snapshot[i] = value;
+          changed = true;
+        }
+        i++;
+      } else {
+        if (snapshot[i] !== value.r || snapshot[i + 1] !== value.g || snapshot[i + 2] !== value.b) {
+          [snapshot[i], snapshot[i + 1], snapshot[i + 2]] = [value.r, value.g, value.b];
+          changed = true;
+        }
+        i += 3;
+      }
+    }
+    if (changed) this.changes++;
+    return this.changes;
+  }
+
   /** The width of the model's highlight, which its generic sampler takes, if it has no sampler of its own. */
   get highlightAlpha(): number {
     if (this.model.hasSampling) return 1;
-    const values = Object.fromEntries(this.model.parameters.map(({ name }) => [name, this.get(name)]));
-    const key = JSON.stringify(values);
-    if (this.highlight?.key !== key) {
-      this.highlight = { key, alpha: highlightAlpha(createEvaluator(this.model, values)) };
-    }
-    return this.highlight.alpha;
+    return this.cached('highlight', () => highlightAlpha(this.evaluator()));
+  }
+
+  /** What the shader derives from the parameters alone, computed here when one has changed. */
+  get derived(): readonly (number | Vector2 | Vector3 | Vector4)[] {
+    return this.cached('derived', () =>
+      derivedQuantities(this.model, this.currentTerm).compute(this.plainValues()).map(toVector),
+    );
+  }
+
+  /** Whether turning the tangent about the normal changes anything with the present parameters. */
+  dependsOnTangent(): boolean {
+    if (Object.keys(this.maps).length > 0) return dependsOnTangent(this.model);
+    return this.cached('turning', () => turnsWithTangent(this.evaluator(), this.currentTerm));
   }
 
   override customProgramCacheKey(): string {
@@ -171,6 +225,7 @@ export class BrdfMaterial extends NodeMaterial {
       model: this.model,
       term: this.currentTerm,
       parameters: parameterNodes(this.model, this.maps),
+      derived: Object.keys(this.maps).length === 0 ? derivedNodes(this.model, this.currentTerm) : null,
       environment: context.brdfEnvironment ?? null,
       hasTable: Object.keys(this.maps).length === 0,
     });
@@ -201,6 +256,27 @@ export class BrdfMaterial extends NodeMaterial {
     super.dispose();
   }
 
+  /** A value that holds until a parameter or the term changes. */
+  private cached<T>(name: string, compute: () => T): T {
+    const version = this.valuesVersion;
+    let entry = this.cache.get(name);
+    if (entry?.version !== version || entry.term !== this.currentTerm) {
+      entry = { version, term: this.currentTerm, value: compute() };
+      this.cache.set(name, entry);
+    }
+    return entry.value as T;
+  }
+
+  private evaluator(): Evaluator {
+    this.ownEvaluator ??= createEvaluator(this.model);
+    this.ownEvaluator.set(this.plainValues());
+    return this.ownEvaluator;
+  }
+
+  private plainValues(): ParameterValues {
+    return Object.fromEntries(this.model.parameters.map(({ name }) => [name, this.get(name)]));
+  }
+
   private parameter(name: string): Parameter {
     const parameter = this.model.parameters.find((p) => p.name === name);
     if (parameter) return parameter;
@@ -227,6 +303,16 @@ export class BrdfMaterial extends NodeMaterial {
       });
     }
   }
+}
+
+function toVector(value: number | readonly number[]): number | Vector2 | Vector3 | Vector4 {
+  if (typeof value === 'number') return value;
+  const [x = 0, y = 0, z = 0, w = 0] = value;
+  return value.length === 2
+    ? new Vector2(x, y)
+    : value.length === 3
+      ? new Vector3(x, y, z)
+      : new Vector4(x, y, z, w);
 }
 
 /** Keeps fields from three.js's walk over a material's properties. */

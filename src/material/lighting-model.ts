@@ -31,6 +31,8 @@ export interface LightingOptions {
   readonly model: Model;
   readonly term: string;
   readonly parameters: ParameterNodes;
+  /** What is derived from the parameters alone; null where a parameter varies over the surface. */
+  readonly derived: readonly Node[] | null;
   /** null where nothing lights but lamps. */
   readonly environment: EnvironmentLightNode | null;
   /** Whether the material's albedo table holds: it does not where a parameter varies over the surface. */
@@ -50,7 +52,7 @@ export class BrdfLightingModel extends LightingModel {
   constructor(options: LightingOptions) {
     super();
     this.options = options;
-    this.brdf = modelFunctionByLight(options.model, options.term, options.parameters);
+    this.brdf = modelFunctionByLight(options.model, options.term, options.parameters, options.derived);
     this.sampler = createSampler(options.model, options.parameters);
   }
 

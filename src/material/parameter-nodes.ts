@@ -1,6 +1,7 @@
 import { materialReference } from 'three/tsl';
 import type { Node, Texture } from 'three/webgpu';
 import type { Parameter } from '../brdf/model.ts';
+import { derivedQuantities } from '../glsl/derived.ts';
 import type { Model } from '../glsl/model.ts';
 import type { ParameterNodes } from '../glsl/tsl.ts';
 
@@ -21,6 +22,14 @@ export interface ParameterMap {
 export function parameterNodes(model: Model, maps: Readonly<Record<string, ParameterMap>>): ParameterNodes {
   return Object.fromEntries(
     model.parameters.map((parameter) => [parameter.name, parameterNode(parameter, maps[parameter.name])]),
+  );
+}
+
+/** Nodes for what the material derives from its parameters (BrdfMaterial.derived), in its order. */
+export function derivedNodes(model: Model, term: string): Node[] {
+  const types = ['float', 'vec2', 'vec3', 'vec4'];
+  return derivedQuantities(model, term).sizes.map(
+    (size, i) => materialReference(`derived.${i}`, types[size - 1] as 'float') as unknown as Node,
   );
 }
 

@@ -4,15 +4,19 @@ import {
   cross,
   dot,
   float,
+  If,
   normalView,
-  positionViewDirection,
+  positionView,
   tangentView,
   tangentViewFrame,
+  uniform,
+  vec3,
 } from 'three/tsl';
-import type { Node, NodeBuilder } from 'three/webgpu';
-import { createEvaluator, type Vector3 } from '../glsl/evaluator.ts';
+import type { Camera, Node, NodeBuilder, OrthographicCamera } from 'three/webgpu';
 import type { Model } from '../glsl/model.ts';
 import { glslFunction } from '../glsl/tsl.ts';
+import type { BrdfMaterial } from './brdf-material.ts';
+import { dependsOnTangent } from './tangent-dependence.ts';
 
 type Vec3 = Node<'vec3'>;
 
@@ -33,33 +37,35 @@ const LEAST_COSINE = 1e-4;
 /** The frame of the fragment that is being shaded. */
 export function shadingFrame(builder: NodeBuilder, model: Model): ShadingFrame {
   const N = (normalView as Vec3).toVar('brdfN');
-  const seen = positionViewDirection as Vec3;
+  const { camera } = builder as unknown as { camera: Camera };
+  // Not positionViewDirection, which is one more varying: where triangles are small, those are dear.
+  const isOrthographic = (camera as Partial<OrthographicCamera>).isOrthographicCamera === true;
+  const seen = (isOrthographic ? vec3(0, 0, 1) : (positionView as Vec3).negate().normalize()).toVar() as Vec3;
   const lift = float(LEAST_COSINE).sub(dot(N, seen)).max(0);
-  const V = seen.add(N.mul(lift)).normalize().toVar('brdfV') as Vec3;
-  const X = (dependsOnTangent(model) ? surfaceTangent(builder, N) : anyTangent(N)).toVar('brdfX') as Vec3;
-  const Y = (dependsOnTangent(model) ? cross(N, X).mul(handedness(builder, N, X)) : cross(N, X)).toVar(
-    'brdfY',
-  ) as Vec3;
+  // Hardly longer than 1 where it is lifted at all: normalising it again would cost every fragment.
+  const V = seen.add(N.mul(lift)).toVar('brdfV') as Vec3;
+  const X = anyTangent(N).toVar('brdfX') as Vec3;
+  const Y = cross(N, X).toVar('brdfY') as unknown as Vec3;
+  if (dependsOnTangent(model)) {
+    const { geometry } = builder as unknown as { geometry: { hasAttribute(name: string): boolean } };
+    // Most materials are isotropic at most times: they need not pay for the others.
+    If(tangentMatters.greaterThan(0.5), () => {
+      if (geometry.hasAttribute('tangent')) {
+        X.assign(orthogonalTangent(N, tangentView as Vec3));
+        // Mirrored texture coordinates turn the bitangent around.
+        Y.assign(cross(N, X).mul((attribute('tangent', 'vec4') as Node<'vec4'>).w));
+      } else if (geometry.hasAttribute('uv')) {
+        X.assign(orthogonalTangent(N, tangentViewFrame as Vec3));
+        Y.assign(bitangentLike(cross(N, X) as unknown as Vec3, bitangentViewFrame as Vec3));
+      }
+    });
+  }
   return { V, N, X, Y };
 }
 
-/** The tangent made orthogonal to N: the mesh's own, else that of its texture coordinates, else any. */
-function surfaceTangent(builder: NodeBuilder, N: Vec3): Vec3 {
-  const { geometry } = builder as unknown as { geometry: { hasAttribute(name: string): boolean } };
-  const hasTangent = geometry.hasAttribute('tangent');
-  if (!hasTangent && !geometry.hasAttribute('uv')) return anyTangent(N);
-  return orthogonalTangent(N, (hasTangent ? tangentView : tangentViewFrame) as Vec3);
-}
-
-/** +1 or -1: mirrored texture coordinates turn the bitangent around. */
-function handedness(builder: NodeBuilder, N: Vec3, X: Vec3): Node<'float'> {
-  const { geometry } = builder as unknown as { geometry: { hasAttribute(name: string): boolean } };
-  if (geometry.hasAttribute('tangent')) return (attribute('tangent', 'vec4') as Node<'vec4'>).w;
-  if (!geometry.hasAttribute('uv')) return float(1);
-  return dot(cross(N, X), bitangentViewFrame as Vec3)
-    .lessThan(0)
-    .select(float(-1), float(1)) as Node<'float'>;
-}
+const tangentMatters = uniform(0).onObjectUpdate(({ material }) =>
+  Number((material as unknown as BrdfMaterial | null)?.dependsOnTangent() ?? true),
+) as unknown as Node<'float'>;
 
 /**
  * A unit vector orthogonal to N, without branches: T. Duff et al., 2017, "Building an Orthonormal Basis,
@@ -86,51 +92,9 @@ const orthogonalTangent = glslFunction(`
   }
 `) as unknown as (N: Vec3, T: Vec3) => Vec3;
 
-const tangentDependence = new WeakMap<Model, boolean>();
-
-/**
- * Whether turning the tangent about N changes what the model reflects: only then does it need tangents of
- * the mesh. Decided by evaluating it at fixed directions with random parameters, since a model may well
- * read X and Y without depending on how they are turned.
- */
-export function dependsOnTangent(model: Model): boolean {
-  const known = tangentDependence.get(model);
-  if (known !== undefined) return known;
-  let seed = 1;
-  const random = () => {
-    // Numerical Recipes' linear congruential generator: any will do, as long as it is the same each time.
-    seed = (Math.imul(seed, 1664525) + 1013904223) >>> 0;
-    return seed / 2 ** 32;
-  };
-  const evaluator = createEvaluator(model);
-  const turned = { N: [0, 0, 1], X: [0.6, 0.8, 0], Y: [-0.8, 0.6, 0] } as const;
-  let depends = false;
-  for (let i = 0; i < 64 && !depends; i++) {
-    evaluator.set(
-      Object.fromEntries(
-        model.parameters.map((p) => [
-          p.name,
-          p.type === 'float'
-            ? p.min + (p.max - p.min) * random()
-            : p.type === 'bool'
-              ? random() < 0.5
-              : [random(), random(), random()],
-        ]),
-      ),
-    );
-    const direction = (): Vector3 => {
-      const [z, phi] = [0.2 + 0.8 * random(), 2 * Math.PI * random()];
-      const r = Math.sqrt(1 - z * z);
-      return [r * Math.cos(phi), r * Math.sin(phi), z];
-    };
-    const [L, V] = [direction(), direction()];
-    for (const term of model.terms) {
-      const a = evaluator.f(L, V, undefined, term);
-      const b = evaluator.f(L, V, turned, term);
-      if (a.some((x, k) => Math.abs(x - (b[k] as number)) > 1e-6 * Math.max(Math.abs(x), 1e-3)))
-        depends = true;
-    }
+/** Y or -Y, whichever points the way of B. */
+const bitangentLike = glslFunction(`
+  vec3 bitangentLike(vec3 Y, vec3 B) {
+    return dot(Y, B) < 0.0 ? -Y : Y;
   }
-  tangentDependence.set(model, depends);
-  return depends;
-}
+`) as unknown as (Y: Vec3, B: Vec3) => Vec3;
