@@ -92,12 +92,16 @@ function radianceCube(renderer: Renderer, environment: Texture): { texture: Text
   const known = cubes.get(renderer) ?? new WeakMap<Texture, { version: number; target: CubeRenderTarget }>();
   cubes.set(renderer, known);
   let cube = known.get(environment);
+  if (!cube) {
+    environment.addEventListener('dispose', () => {
+      known.get(environment)?.target.dispose();
+      known.delete(environment);
+    });
+  }
   if (cube?.version !== environment.version) {
     cube?.target.dispose();
     cube = { version: environment.version, target: resample(renderer, environment) };
     known.set(environment, cube);
-    const { target } = cube;
-    environment.addEventListener('dispose', () => target.dispose());
   }
   return { texture: cube.target.texture, size: FACE_SIZE };
 }

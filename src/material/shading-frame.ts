@@ -1,18 +1,18 @@
 import {
   attribute,
-  bitangentViewFrame,
   cross,
   dot,
   float,
   If,
+  modelViewMatrix,
   normalView,
   positionView,
   tangentView,
-  tangentViewFrame,
   uniform,
   vec3,
+  vec4,
 } from 'three/tsl';
-import type { Camera, Node, NodeBuilder, OrthographicCamera } from 'three/webgpu';
+import type { BufferGeometry, Camera, Mesh, Node, NodeBuilder, OrthographicCamera } from 'three/webgpu';
 import type { Model } from '../glsl/model.ts';
 import { glslFunction } from '../glsl/tsl.ts';
 import type { BrdfMaterial } from './brdf-material.ts';
@@ -47,25 +47,41 @@ export function shadingFrame(builder: NodeBuilder, model: Model): ShadingFrame {
   const X = anyTangent(N).toVar('brdfX') as Vec3;
   const Y = cross(N, X).toVar('brdfY') as unknown as Vec3;
   if (dependsOnTangent(model)) {
-    const { geometry } = builder as unknown as { geometry: { hasAttribute(name: string): boolean } };
+    const { geometry } = builder as unknown as { geometry: BufferGeometry };
     // Most materials are isotropic at most times: they need not pay for the others.
     If(tangentMatters.greaterThan(0.5), () => {
-      if (geometry.hasAttribute('tangent')) {
-        X.assign(orthogonalTangent(N, tangentView as Vec3));
-        // Mirrored texture coordinates turn the bitangent around.
-        Y.assign(cross(N, X).mul((attribute('tangent', 'vec4') as Node<'vec4'>).w));
-      } else if (geometry.hasAttribute('uv')) {
-        X.assign(orthogonalTangent(N, tangentViewFrame as Vec3));
-        Y.assign(bitangentLike(cross(N, X) as unknown as Vec3, bitangentViewFrame as Vec3));
-      }
+      const hasTangents = geometry.hasAttribute('tangent');
+      X.assign(orthogonalTangent(N, hasTangents ? (tangentView as Vec3) : aroundAxis(N)));
+      // Mirrored texture coordinates turn the bitangent around.
+      const handedness = hasTangents ? (attribute('tangent', 'vec4') as Node<'vec4'>).w : float(1);
+      Y.assign(cross(N, X).mul(handedness));
     });
   }
   return { V, N, X, Y };
 }
 
-const tangentMatters = uniform(0).onObjectUpdate(({ material }) =>
-  Number((material as unknown as BrdfMaterial | null)?.dependsOnTangent() ?? true),
-) as unknown as Node<'float'>;
+/**
+ * A tangent for meshes that have none and whose texture coordinates give none: around the object's y axis,
+ * as lathes leave their marks.
+ */
+function aroundAxis(N: Vec3): Vec3 {
+  const axis = (modelViewMatrix as unknown as Node<'mat4'>).mul(vec4(0, 1, 0, 0)).xyz as Vec3;
+  return cross(axis, N) as unknown as Vec3;
+}
+
+/** 1 where the material that is drawn is anisotropic; its mesh is given tangents, if it has none. */
+const tangentMatters = uniform(0).onObjectUpdate(({ material, object }) => {
+  const matters = (material as unknown as BrdfMaterial | null)?.dependsOnTangent() ?? true;
+  if (matters && object) ensureTangents((object as unknown as Mesh).geometry);
+  return Number(matters);
+}) as unknown as Node<'float'>;
+
+/** Computes the tangents of a mesh from its texture coordinates, if they are missing and can be had. */
+export function ensureTangents(geometry: BufferGeometry): void {
+  const { index, attributes } = geometry;
+  if (!index || !attributes.position || !attributes.normal || !attributes.uv || attributes.tangent) return;
+  geometry.computeTangents();
+}
 
 /**
  * A unit vector orthogonal to N, without branches: T. Duff et al., 2017, "Building an Orthonormal Basis,
@@ -91,10 +107,3 @@ const orthogonalTangent = glslFunction(`
     return tangent * inversesqrt(length2);
   }
 `) as unknown as (N: Vec3, T: Vec3) => Vec3;
-
-/** Y or -Y, whichever points the way of B. */
-const bitangentLike = glslFunction(`
-  vec3 bitangentLike(vec3 Y, vec3 B) {
-    return dot(Y, B) < 0.0 ? -Y : Y;
-  }
-`) as unknown as (Y: Vec3, B: Vec3) => Vec3;

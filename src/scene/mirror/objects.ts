@@ -1,5 +1,8 @@
 /** The objects of the document as meshes. */
 import * as THREE from 'three/webgpu';
+import { BrdfMaterial } from '../../material/brdf-material.ts';
+import { ensureTangents } from '../../material/shading-frame.ts';
+import { dependsOnTangent } from '../../material/tangent-dependence.ts';
 import type { Document, SceneObject } from '../schema.ts';
 import { diff } from './diff.ts';
 import type { GeometryCache, GeometryUse } from './geometry.ts';
@@ -92,6 +95,7 @@ export class ObjectsMirror {
   #setMaterial(mesh: THREE.Mesh, { material: id }: SceneObject): void {
     const material = this.#materialOf(id);
     if (material !== undefined) mesh.material = material;
+    giveTangents(mesh);
   }
 
   #setGeometry(entry: Entry, document: Document): void {
@@ -102,6 +106,7 @@ export class ObjectsMirror {
     entry.geometry = this.#geometries.acquire(geometry, document, (loaded) => {
       entry.mesh.geometry = loaded;
       entry.mesh.visible = entry.object.visible;
+      giveTangents(entry.mesh);
     });
     old?.release();
   }
@@ -113,4 +118,14 @@ export class ObjectsMirror {
     entry.geometry?.release();
     entry.mesh.removeFromParent();
   }
+}
+
+/** Beyond this many vertices tangents wait until they are needed: they would hold up the first picture. */
+const MAX_EAGER_VERTICES = 100_000;
+
+/** Tangents ahead of need: an anisotropy slider then compiles nothing. */
+function giveTangents({ geometry, material }: THREE.Mesh): void {
+  const vertices = geometry.getAttribute('position')?.count ?? 0;
+  if (vertices > MAX_EAGER_VERTICES || !(material instanceof BrdfMaterial)) return;
+  if (dependsOnTangent(material.model)) ensureTangents(geometry);
 }
