@@ -49,6 +49,24 @@ export interface SourceText {
   readonly lines: readonly SourceLine[];
 }
 
+/** A law that a model breaks on purpose, as a whole or in one of its terms. */
+export interface WaivedProperty {
+  readonly property: 'positivity' | 'reciprocity' | 'energy' | 'continuity';
+  /** null: the model and all of its terms. */
+  readonly term: string | null;
+}
+
+/** What a model's header says about it, for the checks of src/analysis/verdict. */
+export interface Declarations {
+  readonly givesUp: readonly WaivedProperty[];
+  /** The terms that add up to BRDF; empty if the file does not say. */
+  readonly lobes: readonly string[];
+  /** The terms that are distributions D(h) of facet normals. */
+  readonly distributions: readonly string[];
+  /** Values with which the surface gives back all light; null if the file names none. */
+  readonly lossless: ParameterValues | null;
+}
+
 /** A parsed `.brdf` file. */
 export interface BrdfFile {
   /** The file's name without folder and extension. */
@@ -59,6 +77,7 @@ export interface BrdfFile {
   readonly title: string;
   /** The comment that heads the file: its manual page. */
   readonly documentation: string;
+  readonly declarations: Declarations;
   readonly parameters: readonly Parameter[];
   readonly shader: SourceText;
   /** sampleL() and pdf(), if the file brings its own. */

@@ -1,3 +1,4 @@
+import { parseDeclarations } from './declarations.ts';
 import { BrdfError, type SourcePlace } from './error.ts';
 import type { BrdfFile, Parameter, Rgb, SourceLine } from './model.ts';
 
@@ -44,7 +45,7 @@ export function parseBrdf(text: string, fileName: string, options: ParseOptions 
   }
   const lines = text.replace(/^\uFEFF/, '').split(/\r\n|\r|\n/);
   const sections = new Map<Section, { first: number; lines: SourceLine[] }>();
-  const header: string[] = [];
+  const header: SourceLine[] = [];
   let kindSeen = false;
   let open: { section: Section; line: number } | null = null;
 
@@ -75,7 +76,8 @@ export function parseBrdf(text: string, fileName: string, options: ParseOptions 
     } else if (open) {
       sections.get(open.section)?.lines.push({ text: raw, file: fileName, line: index + 1 });
     } else if (line.startsWith('#')) {
-      if (!sections.has('parameters')) header.push(line.replace(/^#+ ?/, ''));
+      const text = line.replace(/^#+ ?/, '');
+      if (!sections.has('parameters')) header.push({ text, ...place });
     } else if (line !== '') {
       if (kindSeen || sections.size > 0)
         throw new BrdfError(place, `'${clip(line)}' outside any section`, 'a comment or ::begin');
@@ -105,12 +107,13 @@ export function parseBrdf(text: string, fileName: string, options: ParseOptions 
   const samplingText = sampling ? spliceIncludes(sampling.lines, options, included, []) : null;
 
   const name = (fileName.split(/[\\/]/).pop() ?? fileName).replace(/\.brdf$/i, '') || 'model';
-  const documentation = trimBlankLines(header).join('\n');
+  const documentation = trimBlankLines(header.map(({ text }) => text)).join('\n');
   return {
     name,
     fileName,
     title: firstSentence(documentation) || name,
     documentation,
+    declarations: parseDeclarations(header, parameters),
     parameters,
     shader: { lines: shaderText },
     sampling: samplingText && { lines: samplingText },
