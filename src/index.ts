@@ -26,3 +26,4 @@ export * from './lights/units.ts';
 export { BrdfMaterial } from './material/brdf-material.ts';
 export * from './material/named.generated.ts';
 export type { Channel } from './material/parameter-nodes.ts';
+export { loadMeasured } from './scene/measured.ts';

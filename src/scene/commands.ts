@@ -103,6 +103,7 @@ export function removeUnused(store: DocumentStore): void {
       for (const [, asset] of assetsOf(material)) assets.add(asset);
     const { source } = draft.environment;
     if (source.type === 'hdr') assets.add(source.asset);
+    for (const model of Object.values(draft.models)) if ('measured' in model) assets.add(model.measured);
     for (const id of Object.keys(draft.assets)) if (!assets.has(id)) delete draft.assets[id];
   });
 }

@@ -122,16 +122,21 @@ export function setTexture(
  * DocumentError with the file, line and fault if the model does not compile.
  */
 export function addModel(store: DocumentStore, fileName: string, source: string): string {
-  const base = fileName
-    .replace(/^.*[/\\]/, '')
-    .replace(/\.brdf$/i, '')
-    .replace(/[^A-Za-z0-9 ._-]/g, '-')
-    .slice(0, 48);
-  const name = freeName(modelNamePattern.test(base) ? base : 'model', modelNames(store.document));
+  const name = modelNameFor(store, fileName);
   store.edit(`Add model ${name}`, (draft) => {
     draft.models[name] = { source };
   });
   return name;
+}
+
+/** A free name for the model of a file. */
+export function modelNameFor(store: DocumentStore, fileName: string): string {
+  const base = fileName
+    .replace(/^.*[/\\]/, '')
+    .replace(/\.(brdf|binary)$/i, '')
+    .replace(/[^A-Za-z0-9 ._-]/g, '-')
+    .slice(0, 48);
+  return freeName(modelNamePattern.test(base) ? base : 'model', modelNames(store.document));
 }
 
 /** Refused, with the materials' paths, while materials have the model. */

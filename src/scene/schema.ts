@@ -46,8 +46,8 @@ const collectionDescriptions = {
   lights: 'The lights, by id',
   objects: 'The objects, by id',
   materials: 'The materials, by id; objects name theirs',
-  models: 'BRDF files that do not ship with Irradia, by name',
-  assets: 'Images, environments and glTF files, by id',
+  models: 'BRDF files and measured BRDFs that do not ship with Irradia, by name',
+  assets: 'Images, environments, glTF files and measurements, by id',
 } as const;
 
 /** Bytes of one asset, before base64. */
@@ -92,9 +92,16 @@ const objectFileSchema = withDefaults(
   { ...objectDefaults, geometry: undefined },
 );
 
-export const modelSourceSchema = z.strictObject({
-  source: group(z.string().max(maxModelLength), 'The text of a .brdf file'),
-});
+/** What a document's own model is made from. */
+export const modelSourceSchema = z.union(
+  [
+    z.strictObject({ source: group(z.string().max(maxModelLength), 'The text of a .brdf file') }),
+    z.strictObject({
+      measured: reference('A MERL BRDF, as in its file or packed by Irradia', 'assets'),
+    }),
+  ],
+  { error: 'expected { source } or { measured }' },
+);
 export type ModelSource = z.output<typeof modelSourceSchema>;
 
 /** A linear test: a pattern with groups could run out of stack on megabytes. */

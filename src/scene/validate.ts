@@ -7,7 +7,7 @@ import type { z } from 'zod';
 import type { Parameter } from '../brdf/model.ts';
 import { type DocumentIssue, type Path, pathText, shortened } from './error.ts';
 import { materialMaps } from './material-schema.ts';
-import { findModel, modelFault, modelNames } from './models.ts';
+import { findModel, modelFault, modelNames, modelOrigin } from './models.ts';
 import {
   type Collection,
   collections,
@@ -127,9 +127,11 @@ function referenceIssues(document: Document, valid: Document | undefined): Docum
 function modelIssues(document: Document, valid: Document | undefined): DocumentIssue[] {
   const issues: DocumentIssue[] = [];
   for (const [name, entry] of Object.entries(document.models)) {
-    if (entry === valid?.models[name]) continue;
-    const message = modelFault(name, entry);
-    if (message !== null) issues.push({ path: pathText(['models', name, 'source']), message });
+    // Measurements may have gone, or be others, though what names them has not changed.
+    if (entry === valid?.models[name] && modelOrigin(document, name) === modelOrigin(valid, name)) continue;
+    const message = modelFault(document, name);
+    const field = 'source' in entry ? 'source' : 'measured';
+    if (message !== null) issues.push({ path: pathText(['models', name, field]), message });
   }
   return issues;
 }

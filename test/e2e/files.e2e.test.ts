@@ -29,7 +29,7 @@ describe('a dropped .brdf', () => {
     await page.waitForToast('is now my red');
     const document = await page.document();
     expect(document.materials[id]?.model).toBe('my red');
-    expect(document.models['my red']?.source).toBe(RED);
+    expect(document.models['my red']).toEqual({ source: RED });
     expect((await page.picture()).hash).not.toBe(before.hash);
     await page.page.waitForSelector('[data-parameter=edge]');
     expect(await page.page.locator('[data-parameter=edge] .row-label').getAttribute('data-tip')).toContain(

@@ -40,10 +40,9 @@ export class MaterialsMirror {
       added: (id, source) => this.#create(id, source, document),
       changed: (id, source) => this.#update(id, source, document),
     });
-    if (before !== null && before.models !== document.models)
+    // Textures are assets, and so are measurements, which make another model.
+    if (before !== null && (before.models !== document.models || before.assets !== document.assets))
       for (const [id, { source }] of this.#entries) this.#update(id, source, document);
-    if (before !== null && before.assets !== document.assets)
-      for (const entry of this.#entries.values()) this.#setTextures(entry, document);
     this.#showTerm(document);
   }
 

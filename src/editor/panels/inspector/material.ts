@@ -5,7 +5,7 @@
 import type { Parameter, Rgb } from '../../../brdf/model.ts';
 import { setMaterialModel } from '../../../scene/material-commands.ts';
 import { materialDefaults, materialShape } from '../../../scene/material-schema.ts';
-import { findModel, modelNames } from '../../../scene/models.ts';
+import { findModel, modelNames, modelOrigin } from '../../../scene/models.ts';
 import type { Document } from '../../../scene/schema.ts';
 import { attempt } from '../../commands.ts';
 import type { Session } from '../../session.ts';
@@ -23,7 +23,10 @@ import { textureSlot } from './texture-slot.ts';
 /** The panel has to be made anew when this changes. */
 export function materialStructure(document: Document, id: string): string {
   const material = document.materials[id];
-  return material ? `${id} ${material.model} ${document.models[material.model]?.source.length ?? ''}` : '';
+  if (!material) return '';
+  const origin = modelOrigin(document, material.model);
+  const size = origin && ('source' in origin ? origin.source : origin.data).length;
+  return `${id} ${material.model} ${size ?? ''}`;
 }
 
 export function materialPanel(session: Session, id: string): InspectorPanel {
