@@ -19,6 +19,7 @@ import { shaderPrefix } from '../glsl/shader-text.ts';
 import { AlbedoTable, alwaysRefreshed } from './albedo-table.ts';
 import { EnvironmentLightNode } from './environment-light.ts';
 import { highlightAlpha } from './generic-sampler.ts';
+import { turnTangentWithInstance } from './instance-tangent.ts';
 import { BrdfLightingModel } from './lighting-model.ts';
 import { type Channel, derivedNodes, type ParameterMap, parameterNodes } from './parameter-nodes.ts';
 import { dependsOnTangent, turnsWithTangent } from './tangent-dependence.ts';
@@ -203,6 +204,12 @@ export class BrdfMaterial extends NodeMaterial {
   override setupObserver(builder: NodeBuilder): ReturnType<NodeMaterial['setupObserver']> {
     // three.js looks for changes among the properties of its own materials only.
     return alwaysRefreshed(super.setupObserver(builder));
+  }
+
+  override setupPosition(builder: NodeBuilder): ReturnType<NodeMaterial['setupPosition']> {
+    const position = super.setupPosition(builder);
+    if (dependsOnTangent(this.model)) turnTangentWithInstance(builder);
+    return position;
   }
 
   override setupEnvironment(builder: NodeBuilder): Node | null {

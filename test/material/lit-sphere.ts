@@ -152,6 +152,11 @@ export async function drawSphere(
   const scene = new THREE.Scene();
   scene.environment = environment;
   scene.add(new THREE.Mesh(geometry, material), ...lights);
+  return drawScene(renderer, scene);
+}
+
+/** The same for any scene, seen from where the sphere is seen. */
+export async function drawScene(renderer: THREE.WebGPURenderer, scene: THREE.Scene): Promise<Float32Array> {
   const target = new THREE.RenderTarget(SIZE, SIZE, { type: THREE.FloatType });
   renderer.setRenderTarget(target);
   renderer.render(scene, camera);
