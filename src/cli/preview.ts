@@ -1,9 +1,11 @@
-import type { Model } from '../glsl/model.ts';
 import { parseDocument } from '../scene/document.ts';
-import type { Document } from '../scene/schema.ts';
+import type { Asset, Document } from '../scene/schema.ts';
+
+/** What a model is made from: GLSL, or a file of measurements. */
+export type PreviewSource = { readonly source: string } | { readonly measurements: Asset };
 
 /** A scene that shows a model: a sphere before a dark ground, lit from three sides. */
-export function previewDocument(model: Model, source: string): Document {
+export function previewDocument(name: string, from: PreviewSource, fileName: string): Document {
   const directional = (illuminance: number, position: readonly number[]) => ({
     type: 'directional',
     illuminance,
@@ -14,7 +16,7 @@ export function previewDocument(model: Model, source: string): Document {
     {
       format: 'irradia',
       version: 1,
-      name: model.name,
+      name,
       camera: { fov: 30, position: [0, 0, 2.4], target: [0, 0, 0], near: 0.1, far: 10 },
       background: { type: 'color', color: [0.03, 0.03, 0.033] },
       lights: {
@@ -30,8 +32,9 @@ export function previewDocument(model: Model, source: string): Document {
         },
       },
       materials: { model: { model: 'preview' } },
-      models: { preview: { source } },
+      models: { preview: 'source' in from ? from : { measured: 'measurements' } },
+      assets: 'source' in from ? {} : from,
     },
-    model.file.fileName,
+    fileName,
   );
 }

@@ -17,7 +17,7 @@ const command: Command = {
     'the exit code is 1.',
     '',
     '  MODEL       a model that ships; `irradia brdf list` names them',
-    '  FILE        a .brdf file',
+    '  FILE        a .brdf file, or a measured BRDF (.binary of the MERL database)',
     '  --backend   cpu: 64-bit floats (the default); gpu: 32-bit floats, a GPU or the software one',
     '  --term      one term of the model instead of all of it; `irradia brdf show` names them',
   ],

@@ -8,7 +8,7 @@ const command: Command = {
   summary: 'What a model is: parameters with ranges, terms, references.',
   details: [
     '  MODEL    a model that ships; `irradia brdf list` names them',
-    '  FILE     a .brdf file',
+    '  FILE     a .brdf file, or a measured BRDF (.binary of the MERL database)',
     '  --json   as JSON: {"name", "title", "documentation", "references", "parameters", "terms", "sampling"}',
   ],
   options: { json: { type: 'boolean' } },

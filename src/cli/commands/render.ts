@@ -2,10 +2,11 @@ import { existsSync, readFileSync, writeFileSync } from 'node:fs';
 import { dirname, extname } from 'node:path';
 import { modelSources, shippedModels } from '../../../models/index.ts';
 import { sceneNames } from '../../../scenes/index.ts';
+import { measuredAsset } from '../../scene/measured.ts';
 import type { Document } from '../../scene/schema.ts';
 import { CliError, type Command, UsageError } from '../command.ts';
 import type { DeviceChoice } from '../gpu.ts';
-import { modelArgument } from '../model-argument.ts';
+import { isMeasured, modelArgument } from '../model-argument.ts';
 import { packageVersion } from '../package-root.ts';
 import { previewDocument } from '../preview.ts';
 import { sceneArgument } from '../scene-argument.ts';
@@ -19,7 +20,7 @@ const command: Command = {
   details: [
     '  SCENE      a scene that ships',
     '  MODEL      a model that ships; `irradia brdf list` names them',
-    '  FILE       a document, or a .brdf file',
+    '  FILE       a document, a .brdf file, or a measured BRDF (.binary of the MERL database)',
     '  -o         a .png is what the lab shows; an .exr has the linear radiance, before exposure and tone mapping',
     `  --size     width and height in pixels; otherwise ${DEFAULT_SIZE}`,
     '  --device   auto: a GPU if there is one, else the software GPU (the default)',
@@ -71,10 +72,16 @@ function parseSize(text: string): { width: number; height: number } {
 /** A scene comes before a model of the same name; a file's ending tells which of the two it is. */
 async function documentFor(word: string): Promise<Document> {
   if (sceneNames.includes(word)) return (await sceneArgument(word)).document;
-  if (shippedModels.has(word)) {
-    return previewDocument(modelArgument(word), modelSources.get(`${word}.brdf`) as string);
+  if (shippedModels.has(word))
+    return previewDocument(word, { source: modelSources.get(`${word}.brdf`) as string }, word);
+  if (word.endsWith('.brdf')) {
+    const { name } = modelArgument(word);
+    return previewDocument(name, { source: readFileSync(word, 'utf8') }, word);
   }
-  if (word.endsWith('.brdf')) return previewDocument(modelArgument(word), readFileSync(word, 'utf8'));
+  if (isMeasured(word) && existsSync(word)) {
+    const measurements = measuredAsset(readFileSync(word), word);
+    return previewDocument(measurements.name, { measurements }, word);
+  }
   if (existsSync(word)) return (await sceneArgument(word)).document;
   const scenes = sceneNames.join(', ');
   const models = [...shippedModels.keys()].join(', ');

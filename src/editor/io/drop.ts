@@ -7,7 +7,7 @@ export function installDrop(viewport: HTMLElement, onFiles: (files: File[]) => v
     'div',
     { class: 'drop-target', hidden: true },
     h('strong', {}, 'Drop to open'),
-    h('p', {}, 'Scene .json · model .glb .gltf · BRDF .brdf · environment .hdr .exr'),
+    h('p', {}, 'Scene .json · model .glb .gltf · BRDF .brdf .binary .bparam · environment .hdr .exr'),
   );
   viewport.append(target);
   const hasFiles = (event: DragEvent) => event.dataTransfer?.types.includes('Files') ?? false;

@@ -20,9 +20,21 @@ const accept = (extensions: readonly string[]) => extensions.map((extension) => 
 
 export const IMAGE_ACCEPT = accept(IMAGES);
 export const ENVIRONMENT_ACCEPT = accept(ENVIRONMENTS);
-export const ANY_ACCEPT = accept(['json', 'glb', 'gltf', 'bin', 'brdf', ...ENVIRONMENTS, ...IMAGES]);
+export const ANY_ACCEPT = accept([
+  ...['json', 'glb', 'gltf', 'bin', 'brdf', 'binary', 'bparam'],
+  ...ENVIRONMENTS,
+  ...IMAGES,
+]);
 
-export type FileKind = 'document' | 'gltf' | 'brdf' | 'environment' | 'image' | 'unknown';
+export type FileKind =
+  | 'document'
+  | 'gltf'
+  | 'brdf'
+  | 'measured'
+  | 'parameters'
+  | 'environment'
+  | 'image'
+  | 'unknown';
 
 export function extensionOf(name: string): string {
   return /\.([a-z0-9]+)$/i.exec(name)?.[1]?.toLowerCase() ?? '';
@@ -33,6 +45,8 @@ export function fileKind(name: string): FileKind {
   if (extension === 'json') return 'document';
   if (extension === 'glb' || extension === 'gltf') return 'gltf';
   if (extension === 'brdf') return 'brdf';
+  if (extension === 'binary') return 'measured';
+  if (extension === 'bparam') return 'parameters';
   if (ENVIRONMENTS.includes(extension)) return 'environment';
   return IMAGES.includes(extension) ? 'image' : 'unknown';
 }

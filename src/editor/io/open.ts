@@ -2,16 +2,15 @@
  * Files into the scene, whichever way they come: dropped, opened, or handed over by the server.
  * What cannot be read changes nothing and says what is wrong with it.
  */
-import { loadModel } from '../../../models/index.ts';
 import type { AssetLoader } from '../../scene/assets.ts';
 import { keepAsset } from '../../scene/commands.ts';
 import { parseDocument } from '../../scene/document.ts';
-import { addModel, setMaterialModel } from '../../scene/material-commands.ts';
 import type { Document } from '../../scene/schema.ts';
 import type { DocumentStore } from '../../scene/store.ts';
 import type { EditorStateStore } from '../state.ts';
 import { startProgress, toast, toastError } from '../ui/toast.ts';
 import { fileKind, pathOf, readAsset, readBytes } from './files.ts';
+import { openBparam, openBrdf, openMeasured } from './open-model.ts';
 
 export interface OpenContext {
   readonly store: DocumentStore;
@@ -30,11 +29,13 @@ export async function openFiles(context: OpenContext, files: readonly File[]): P
   if (toOpen.length === 0 && files[0]) {
     toast('error', `${files[0].name}: not a kind of file that Irradia opens`, FORMATS);
   }
-  for (const file of toOpen) await openFile(context, file, files);
+  // Saved parameters come last: the model that they are for may be among the files.
+  const order = (file: File) => (fileKind(file.name) === 'parameters' ? 1 : 0);
+  for (const file of toOpen.toSorted((a, b) => order(a) - order(b))) await openFile(context, file, files);
 }
 
 const FORMATS =
-  'It opens scenes (.json), models (.glb, .gltf), BRDFs (.brdf), environments (.hdr, .exr) and images.';
+  'It opens scenes (.json), models (.glb, .gltf), BRDFs (.brdf, .binary, .bparam), environments (.hdr, .exr) and images.';
 
 async function openFile(context: OpenContext, file: File, all: readonly File[]): Promise<void> {
   const progress = startProgress(`Reading ${file.name}`);
@@ -49,6 +50,12 @@ async function openFile(context: OpenContext, file: File, all: readonly File[]):
         break;
       case 'brdf':
         await openBrdf(context, file);
+        break;
+      case 'measured':
+        await openMeasured(context, file, (text, fraction) => progress.update(text, fraction));
+        break;
+      case 'parameters':
+        await openBparam(context, file);
         break;
       case 'environment':
         await openEnvironment(context, file);
@@ -73,27 +80,6 @@ async function openFile(context: OpenContext, file: File, all: readonly File[]):
 async function openDocument({ replaceDocument }: OpenContext, file: File): Promise<void> {
   const document = parseDocument(await file.text(), file.name);
   if (await replaceDocument(document)) toast('success', `Opened ${document.name}`);
-}
-
-/** The model goes to the selected material, or to the first one there is. */
-async function openBrdf({ store, state }: OpenContext, file: File): Promise<void> {
-  const source = await file.text();
-  const { selection } = state.value;
-  const object = selection?.kind === 'objects' ? store.document.objects[selection.id] : undefined;
-  const material =
-    selection?.kind === 'materials'
-      ? selection.id
-      : (object?.material ?? Object.keys(store.document.materials)[0]);
-  // Compiled first under the file's own name, so that what is wrong is said in its terms.
-  loadModel(source, file.name);
-  const name = addModel(store, file.name, source);
-  if (material === undefined) {
-    toast('success', `Added the model ${name}`, 'Choose it as the model of a material.');
-    return;
-  }
-  setMaterialModel(store, material, name);
-  if (!object) state.select({ kind: 'materials', id: material });
-  toast('success', `${store.document.materials[material]?.name} is now ${name}`);
 }
 
 async function openEnvironment({ store, assets }: OpenContext, file: File): Promise<void> {

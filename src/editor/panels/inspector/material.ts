@@ -74,7 +74,10 @@ function modelChoice(session: Session, id: string): Bound {
   });
   return {
     element: row(
-      { label: 'Model', tip: 'The BRDF: a shipped one, or a .brdf file dropped on the page' },
+      {
+        label: 'Model',
+        tip: 'The BRDF: a shipped one, or a .brdf or measured .binary file dropped on the page',
+      },
       field.element,
     ),
     update() {
