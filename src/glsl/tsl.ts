@@ -66,8 +66,9 @@ class FunctionTextNode extends TextNode {
   override generate(builder: NodeBuilder): string {
     const language = languageOf(builder);
     for (const include of this.getIncludes(builder)) include.build(builder);
-    for (const [name, code] of emitFunction(this.prefix, this.f, language).needs) {
-      const key = `${language} ${name}`;
+    for (const code of emitFunction(this.prefix, this.f, language).needs.values()) {
+      // Not by name: variables of the same name differ between a model with textures and without.
+      const key = `${language} ${code}`;
       let node = helpers.get(key);
       if (!node) {
         node = new TextNode(() => code);
