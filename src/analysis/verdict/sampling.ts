@@ -1,0 +1,143 @@
+import type { ParameterValues } from '../../brdf/model.ts';
+import { sidakLevel } from '../chi-squared.ts';
+import { integrateHemisphere } from '../quadrature.ts';
+import { type SamplerTestResult, testSampler } from '../sampler-test.ts';
+import { direction, type Vec3 } from '../vector.ts';
+import { type Context, percent, placeOf, short } from './context.ts';
+import { cornerParameters, randomParameters, randomPoint } from './space.ts';
+import type { Check } from './types.ts';
+
+/** Laws about the sampling that a file brings along: pdf() is a density, and it is that of sampleL(). */
+
+const NONE = 'The file has no section for sampling; a general sampler serves it.';
+
+const mirrorOf = (v: Vec3): Vec3 => [-v[0], -v[1], v[2]];
+
+/** The density as a quadrature and a test of counts take it: a number, and not negative. */
+function density(context: Context, v: Vec3): (l: Vec3) => number {
+  return (l) => {
+    const value = context.evaluator.pdf(l, v);
+    return Number.isFinite(value) ? Math.max(0, value) : 0;
+  };
+}
+
+export async function checkDensity(context: Context): Promise<Check> {
+  const { model, random } = context;
+  if (!model.hasSampling) return context.notApplicable(NONE);
+  let lowest = {
+    value: 0,
+    parameters: {} as ParameterValues,
+    l: null as Vec3 | null,
+    v: null as Vec3 | null,
+  };
+  for (let i = context.trials(3000); i > 0; i--) {
+    const { parameters, l, v } = randomPoint(random, model.parameters);
+    context.use(parameters);
+    const value = context.evaluator.pdf(l, v);
+    if (value < lowest.value) lowest = { value, parameters, l, v };
+  }
+  if (lowest.value < -1e-9) {
+    return context.check(
+      'fail',
+      lowest.value,
+      `${short(lowest.value)} /sr`,
+      `pdf is ${short(lowest.value)} ${placeOf(lowest)}: no direction is less likely than impossible.`,
+      { term: 'pdf', parameters: lowest.parameters, l: lowest.l, v: lowest.v },
+    );
+  }
+  const sets = [
+    ...cornerParameters(model.parameters).slice(0, 4),
+    ...Array.from({ length: context.trials(8) }, () => randomParameters(random, model.parameters)),
+  ];
+  let worst = { value: 0, error: 0, parameters: sets[0] as ParameterValues, v: direction(1, 0) };
+  for (const [i, parameters] of sets.entries()) {
+    for (const v of [direction(0.9, 0.5), direction(0.2, 4)]) {
+      await context.pulse(i / sets.length);
+      context.use(parameters);
+      const pdf = density(context, v);
+      const options = { focus: [mirrorOf(v)], tolerance: 1e-3, maxEvaluations: 3000 };
+      const integral = integrateHemisphere((l) => [pdf(l)], options);
+      const value = integral.value[0] as number;
+      if (value - integral.error > worst.value - worst.error)
+        worst = { value, error: integral.error, parameters, v };
+    }
+  }
+  const broken = worst.value - worst.error > 1.002;
+  const place = { l: null, v: worst.v };
+  return context.check(
+    broken ? 'fail' : 'pass',
+    worst.value,
+    `integral up to ${short(worst.value)}`,
+    broken
+      ? `The probabilities of all directions together are ${percent(worst.value)}, not at most 100 %, ${placeOf(place)}: ` +
+          'pictures come out too dark.'
+      : 'The probabilities of all directions together are at most 100 %; what lacks are samples below the surface.',
+    { term: 'pdf', parameters: worst.parameters, ...place },
+  );
+}
+
+/** The chance that all tests together condemn a sound sampler; with a fixed seed they do so always or never. */
+const LEVEL = 1e-4;
+const CASES = 8;
+/** More than this share of misplaced density would be the quadrature's fault and not the sampler's. */
+const UNRESOLVED = 0.02;
+
+export async function checkSampler(context: Context): Promise<Check> {
+  const { model, random } = context;
+  if (!model.hasSampling) return context.notApplicable(NONE);
+  const views = [direction(1, 0), direction(0.7, 0.5), direction(0.2, 4)];
+  const wanted = context.trials(CASES);
+  const level = sidakLevel(LEVEL, wanted);
+  let worst: { result: SamplerTestResult; parameters: ParameterValues; v: Vec3 } | null = null;
+  let done = 0;
+  for (let attempt = 0; done < wanted && attempt < 2 * wanted; attempt++) {
+    await context.pulse(done / wanted);
+    const v = views[attempt % views.length] as Vec3;
+    const defaults = attempt < views.length;
+    const parameters = defaults ? {} : randomParameters(random, model.parameters);
+    context.use(parameters);
+    let below = false;
+    const result = testSampler(
+      {
+        sample: (u) => {
+          const l = context.evaluator.sampleL(u, v);
+          if (l && !(l[2] >= 0)) below = true;
+          return below ? null : l;
+        },
+        pdf: density(context, v),
+      },
+      { samples: context.trials(5000), random, cells: [6, 12], focus: [mirrorOf(v)], maxEvaluations: 400 },
+    );
+    const place = { l: null, v };
+    if (below) {
+      const sentence = `sampleL gives directions below the surface ${placeOf(place)}, where no light comes from.`;
+      return context.check('fail', 0, 'below the surface', sentence, {
+        term: 'sampleL',
+        parameters,
+        ...place,
+      });
+    }
+    // A lobe much narrower than a cell of the histogram cannot be judged by it.
+    if (result.error > UNRESOLVED) continue;
+    done++;
+    if (!worst || result.pValue < worst.result.pValue) worst = { result, parameters, v };
+  }
+  if (!worst)
+    return context.notApplicable('All lobes that were tried are narrower than the cells of the histogram.');
+  const { result, parameters, v } = worst as {
+    result: SamplerTestResult;
+    parameters: ParameterValues;
+    v: Vec3;
+  };
+  const broken = result.pValue < level;
+  const place = { l: null, v };
+  return context.check(
+    broken ? 'fail' : 'pass',
+    result.pValue,
+    `p = ${short(result.pValue)} in ${done} tests`,
+    broken
+      ? `sampleL does not choose directions as pdf says ${placeOf(place)}: a path tracer would light this surface wrongly.`
+      : 'sampleL chooses directions as often as pdf says: a path tracer lights this surface rightly.',
+    { term: 'sampleL', parameters, ...place },
+  );
+}
