@@ -11,6 +11,7 @@ const COMMANDS: Readonly<Record<string, () => Promise<{ default: Command }>>> = 
   'brdf list': () => import('./commands/brdf-list.ts'),
   'brdf show': () => import('./commands/brdf-show.ts'),
   'brdf eval': () => import('./commands/brdf-eval.ts'),
+  'brdf check': () => import('./commands/brdf-check.ts'),
 };
 
 async function run(words: readonly string[]): Promise<number> {
