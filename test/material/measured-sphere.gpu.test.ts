@@ -1,3 +1,4 @@
+import * as THREE from 'three/webgpu';
 import { expect, test } from 'vitest';
 import { shippedModels } from '../../models/index.ts';
 import { createEvaluator } from '../../src/glsl/evaluator.ts';
@@ -44,3 +45,49 @@ test.each(Object.keys(LIGHT_CASES))(
     expect(worst).toBeLessThan(0.02);
   },
 );
+
+test('the GPU’s lookup is the float64 one in every pixel', async () => {
+  const light = LIGHT_CASES.directional as (typeof LIGHT_CASES)[string];
+  const pixels = await drawSphere(renderer, geometry, new BrdfMaterial(measured), light.create());
+  const lookup = createEvaluator(measured);
+  let worst = 0;
+  for (let i = 0; i < SIZE * SIZE; i++) {
+    const surface = surfaceAt(surfaces, i % SIZE, Math.floor(i / SIZE));
+    const arriving = surface && light.arrives(surface.point);
+    if (!surface || !arriving) continue;
+    const { V, frame } = surface;
+    const cosine = (w: typeof V) => w.reduce((sum, c, k) => sum + c * (frame.N[k] as number), 0);
+    if (cosine(V) < 0.25) continue;
+    const f = lookup.f(arriving.l, V, frame);
+    f.forEach((x, c) => {
+      const expected = x * arriving.E * Math.max(cosine(arriving.l), 0);
+      worst = Math.max(worst, Math.abs((pixels[i * 4 + c] as number) - expected) / Math.max(expected, 1e-3));
+    });
+  }
+  expect(worst).toBeLessThan(1e-3);
+});
+
+test('an environment lights it like the model too, by the generic sampler', async () => {
+  // Brighter above and to one side, so that the highlight's place counts.
+  const data = new Float32Array(16 * 8 * 4).map((_, i) =>
+    i % 4 === 3 ? 1 : 1 + Math.cos(((i >> 2) % 16) / 2.6),
+  );
+  const environment = new THREE.DataTexture(data, 16, 8, THREE.RGBAFormat, THREE.FloatType);
+  environment.mapping = THREE.EquirectangularReflectionMapping;
+  environment.minFilter = environment.magFilter = THREE.LinearFilter;
+  environment.needsUpdate = true;
+  const draw = (material: BrdfMaterial) => drawSphere(renderer, geometry, material, [], environment);
+  const expected = await draw(new BrdfMaterial(model, values));
+  const got = await draw(new BrdfMaterial(measured));
+  let [difference, sum] = [0, 0];
+  for (let i = 0; i < SIZE * SIZE; i++) {
+    const surface = surfaceAt(surfaces, i % SIZE, Math.floor(i / SIZE));
+    if (!surface || surface.V.reduce((s, c, k) => s + c * (surface.frame.N[k] as number), 0) < 0.25) continue;
+    for (let c = 0; c < 3; c++) {
+      difference += Math.abs((got[i * 4 + c] as number) - (expected[i * 4 + c] as number));
+      sum += expected[i * 4 + c] as number;
+    }
+  }
+  expect(sum).toBeGreaterThan(100);
+  expect(difference / sum).toBeLessThan(0.02);
+});
