@@ -1,0 +1,77 @@
+import { mkdtempSync, writeFileSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
+import { beforeAll, describe, expect, test } from 'vitest';
+import { PROPERTIES } from '../../src/analysis/verdict/types.ts';
+import { built, irradia } from '../support/cli.ts';
+
+beforeAll(() => built('cli'));
+
+const folder = mkdtempSync(join(tmpdir(), 'irradia-test-'));
+const file = (name: string, header: string, body: string): string => {
+  const path = join(folder, `${name}.brdf`);
+  const shader = `vec3 BRDF(vec3 L, vec3 V, vec3 N, vec3 X, vec3 Y) { return ${body}; }`;
+  writeFileSync(
+    path,
+    `analytic\n# ${header}\n::begin parameters\n::end parameters\n::begin shader\n${shader}\n::end shader\n`,
+  );
+  return path;
+};
+
+describe('brdf check', () => {
+  test('passes what is sound, in a table', async () => {
+    const { code, stdout, stderr } = await irradia(['brdf', 'check', 'lambert']);
+    expect([code, stderr]).toEqual([0, '']);
+    expect(stdout).toMatch(/^energy +pass +albedo up to 1$/m);
+    expect(stdout).toMatch(/^GPU = float64 +n\/a$/m);
+    expect(stdout).toMatch(/\nSound\.\n$/);
+  });
+
+  test('names what is broken and where, and exits with 1', async () => {
+    const { code, stdout } = await irradia(['brdf', 'check', file('bright', 'Bright.', 'vec3(1.0)')]);
+    expect(code).toBe(1);
+    expect(stdout).toMatch(/^energy +FAIL +albedo up to 3\.14$/m);
+    expect(stdout).toMatch(/Worst: the default parameters; v \[/);
+    expect(stdout).toMatch(/\nBroken: energy\.\n$/);
+  });
+
+  test('accepts what the header gives up', async () => {
+    const path = file('glow', 'gives up: energy', 'vec3(1.0)');
+    const { code, stdout } = await irradia(['brdf', 'check', path]);
+    expect(code).toBe(0);
+    expect(stdout).toMatch(/\nSound; given up, as its header says: energy\.\n$/);
+  });
+
+  test('tells machines the same', async () => {
+    const path = file('cosine', 'A cosine.', 'vec3(0.1 * L.z)');
+    const { code, stdout } = await irradia(['brdf', 'check', path, '--json']);
+    expect(code).toBe(1);
+    const verdict = JSON.parse(stdout);
+    expect(verdict).toMatchObject({ model: 'cosine', sound: false });
+    expect(verdict.checks.map((check: { property: string }) => check.property)).toEqual([...PROPERTIES]);
+    expect(verdict.checks[2]).toMatchObject({
+      property: 'reciprocity',
+      outcome: 'fail',
+      figure: expect.any(Number),
+      worst: { term: 'BRDF', parameters: {}, l: expect.any(Array), v: expect.any(Array) },
+    });
+  });
+
+  test('compares the GPU on demand', async () => {
+    const { code, stdout } = await irradia(['brdf', 'check', 'lambert', '--backend', 'gpu']);
+    expect(code).toBe(0);
+    expect(stdout).toMatch(/^GPU = float64 +pass +differs by /m);
+  });
+
+  test('says what is wrong with a call or a header', async () => {
+    expect(await irradia(['brdf', 'check', 'lambert', '--backend', 'abacus'])).toEqual({
+      code: 2,
+      stdout: '',
+      stderr: 'irradia: --backend abacus: expected cpu or gpu\n',
+    });
+    const path = file('typo', 'gives up: enregy', 'vec3(0.1)');
+    const { code, stderr } = await irradia(['brdf', 'check', path]);
+    expect(code).toBe(1);
+    expect(stderr).toMatch(/typo\.brdf:2: a model cannot give up 'enregy'/);
+  });
+});
