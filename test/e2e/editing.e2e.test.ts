@@ -51,6 +51,14 @@ describe('the default scene', () => {
       expect(text).toContain(figure);
     }
   });
+
+  it('folds its frame time graph away, and out again', async () => {
+    const [fold, graph] = [page.page.getByLabel('Frame time graph'), page.page.locator('.timing')];
+    await fold.click();
+    await graph.waitFor({ state: 'hidden' });
+    await fold.click();
+    await graph.waitFor({ state: 'visible' });
+  });
 });
 
 describe('a slider', () => {
