@@ -20,12 +20,14 @@ function compileEmbedded(document: WithModels, name: string): Model | Fault | un
   const entry = document.models[name] as ModelSource;
   const origin = 'source' in entry ? entry : measurements(document, entry.measured);
   if (origin === undefined) return undefined;
+  // One model for all names of a file of measurements: its samples are megabytes.
+  const key = 'source' in origin ? `${name}.brdf` : origin.name;
   const byName = compiled.get(origin) ?? new Map<string, Model | Fault>();
   compiled.set(origin, byName);
-  const known = byName.get(name);
+  const known = byName.get(key);
   if (known !== undefined) return known;
-  const result = tryLoad(origin, name);
-  byName.set(name, result);
+  const result = tryLoad(origin, key);
+  byName.set(key, result);
   return result;
 }
 
@@ -33,10 +35,10 @@ function measurements({ assets }: WithModels, id: string): Asset | undefined {
   return Object.hasOwn(assets, id) ? assets[id] : undefined;
 }
 
-function tryLoad(origin: { readonly source: string } | Asset, name: string): Model | Fault {
+function tryLoad(origin: { readonly source: string } | Asset, fileName: string): Model | Fault {
   try {
-    if ('source' in origin) return loadModel(origin.source, `${name}.brdf`);
-    return loadMeasured(decodeBase64(origin.data), `${name}.binary`);
+    if ('source' in origin) return loadModel(origin.source, fileName);
+    return loadMeasured(decodeBase64(origin.data), fileName);
   } catch (error) {
     if (error instanceof BrdfError || error instanceof ByteError) return error;
     throw error;

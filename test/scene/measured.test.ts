@@ -38,8 +38,9 @@ describe('a measured model', () => {
     expect(headOn(name)[0]).toBeCloseTo(0.25, 3);
     expect(headOn(name)[1]).toBeCloseTo(1.1, 2);
     expect(addMeasuredModel(store, { ...asset })).toBe('grey paint 2');
-    // The same bytes are kept once.
+    // The same bytes are kept once, and read once.
     expect(Object.keys(store.document.assets)).toHaveLength(1);
+    expect(findModel(store.document, 'grey paint 2')).toBe(findModel(store.document, name));
   });
 
   test('is undone and redone, mirrored, saved and read again', () => {
