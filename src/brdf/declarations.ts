@@ -1,4 +1,5 @@
 import { BrdfError } from './error.ts';
+import { clip } from './limits.ts';
 import type { Declarations, Parameter, ParameterValue, SourceLine, WaivedProperty } from './model.ts';
 
 /**
@@ -13,8 +14,6 @@ import type { Declarations, Parameter, ParameterValue, SourceLine, WaivedPropert
  */
 
 export const WAIVABLE = ['positivity', 'reciprocity', 'energy', 'continuity'] as const;
-
-export const NO_DECLARATIONS: Declarations = { givesUp: [], lobes: [], distributions: [], lossless: null };
 
 const KEYS = ['gives up', 'lobes', 'distributions', 'lossless'] as const;
 type Key = (typeof KEYS)[number];
@@ -57,7 +56,7 @@ function readWaiver(item: string, place: SourceLine): WaivedProperty {
   if (!match || !property) {
     throw new BrdfError(
       place,
-      `a model cannot give up '${item.slice(0, 40)}'`,
+      `a model cannot give up '${clip(item)}'`,
       `${WAIVABLE.join(', ')}, or one of these 'of' a term`,
     );
   }
@@ -66,7 +65,7 @@ function readWaiver(item: string, place: SourceLine): WaivedProperty {
 
 function readName(item: string, place: SourceLine): string {
   if (/^[A-Za-z_]\w*$/.test(item)) return item;
-  throw new BrdfError(place, `'${item.slice(0, 40)}' is no name of a term`, 'names with commas between them');
+  throw new BrdfError(place, `'${clip(item)}' is no name of a term`, 'names with commas between them');
 }
 
 function readValue(
@@ -76,15 +75,11 @@ function readValue(
 ): readonly [string, ParameterValue] {
   const [name = '', text = ''] = item.split('=').map((part) => part.trim());
   const parameter = parameters.find((candidate) => candidate.name === name);
-  if (!parameter) throw new BrdfError(place, `there is no parameter '${name.slice(0, 40)}'`, 'NAME = VALUE');
+  if (!parameter) throw new BrdfError(place, `there is no parameter '${clip(name)}'`, 'NAME = VALUE');
   const numbers = text === '' ? [] : text.split(/\s+/).map(Number);
   const count = parameter.type === 'color' ? 3 : 1;
   if (numbers.length !== count || !numbers.every(Number.isFinite)) {
-    throw new BrdfError(
-      place,
-      `${name} = '${text.slice(0, 40)}'`,
-      count === 3 ? 'three numbers' : 'a number',
-    );
+    throw new BrdfError(place, `${name} = '${clip(text)}'`, count === 3 ? 'three numbers' : 'a number');
   }
   const [x = 0, y = 0, z = 0] = numbers;
   if (parameter.type === 'color') return [name, [x, y, z]];
