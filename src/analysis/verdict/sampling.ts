@@ -82,6 +82,11 @@ const CASES = 8;
 /** More than this share of misplaced density would be the quadrature's fault and not the sampler's. */
 const UNRESOLVED = 0.02;
 
+const WRONG_DIRECTIONS = {
+  'below the surface': 'no light comes from there, and the sample should be given up as vec3(0)',
+  'not of length 1': 'a direction is a unit vector',
+};
+
 export async function checkSampler(context: Context): Promise<Check> {
   const { model, random } = context;
   if (!model.hasSampling) return context.notApplicable(NONE);
@@ -96,26 +101,24 @@ export async function checkSampler(context: Context): Promise<Check> {
     const defaults = attempt < views.length;
     const parameters = defaults ? {} : randomParameters(random, model.parameters);
     context.use(parameters);
-    let below = false;
+    let wrong: keyof typeof WRONG_DIRECTIONS | null = null;
     const result = testSampler(
       {
         sample: (u) => {
           const l = context.evaluator.sampleL(u, v);
-          if (l && !(l[2] >= 0)) below = true;
-          return below ? null : l;
+          if (l && !(Math.abs(Math.hypot(...l) - 1) < 1e-6)) wrong = 'not of length 1';
+          else if (l && !(l[2] >= 0)) wrong = 'below the surface';
+          return wrong ? null : l;
         },
         pdf: density(context, v),
       },
       { samples: context.trials(5000), random, cells: [6, 12], focus: [mirrorOf(v)], maxEvaluations: 400 },
     );
     const place = { l: null, v };
-    if (below) {
-      const sentence = `sampleL gives directions below the surface ${placeOf(place)}, where no light comes from.`;
-      return context.check('fail', 0, 'below the surface', sentence, {
-        term: 'sampleL',
-        parameters,
-        ...place,
-      });
+    if (wrong) {
+      const kind = wrong as keyof typeof WRONG_DIRECTIONS;
+      const sentence = `sampleL gives directions that are ${kind} ${placeOf(place)}: ${WRONG_DIRECTIONS[kind]}.`;
+      return context.check('fail', 0, kind, sentence, { term: 'sampleL', parameters, ...place });
     }
     // A lobe much narrower than a cell of the histogram cannot be judged by it.
     if (result.error > UNRESOLVED) continue;

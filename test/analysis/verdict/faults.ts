@@ -51,12 +51,13 @@ const ROUGH = `${COLOUR}\nfloat roughness .2 1 .5`;
 const DISTRIBUTION = 'float e = 2.0 / (roughness * roughness);';
 
 /** Cosine-distributed directions and their density, which is to be `density`. */
-const sampling = (density: string) => `
+const sampling = (density: string, direction = '') => `
 vec3 sampleL(vec2 u, vec3 V, vec3 N, vec3 X, vec3 Y) {
   if (dot(N, V) < 1e-7) return vec3(0.0);
   float r = sqrt(u.x);
   float phi = 2.0 * PI * u.y;
-  return r * cos(phi) * X + r * sin(phi) * Y + sqrt(max(0.0, 1.0 - u.x)) * N;
+  vec3 l = r * cos(phi) * X + r * sin(phi) * Y + sqrt(max(0.0, 1.0 - u.x)) * N;
+  return ${direction || 'l'};
 }
 float pdf(${ARGUMENTS}) {
   float NdotL = dot(N, L);
@@ -119,6 +120,16 @@ export const FAULTS = {
     parameters: COLOUR,
     body: 'return albedo / PI;',
     sampling: sampling('0.5 / PI'),
+  }),
+  'samples below the surface': model({
+    parameters: COLOUR,
+    body: 'return albedo / PI;',
+    sampling: sampling('NdotL / PI', 'u.x > 0.9 ? -l : l'),
+  }),
+  'samples of any length': model({
+    parameters: COLOUR,
+    body: 'return albedo / PI;',
+    sampling: sampling('NdotL / PI', '1.01 * l'),
   }),
   'a negative density': model({
     parameters: COLOUR,

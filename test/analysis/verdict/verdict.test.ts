@@ -28,6 +28,8 @@ const EXPECTED: Record<keyof typeof FAULTS, readonly Property[]> = {
   'a slider with a step': ['continuity'],
   'a density off by the Jacobian': ['density', 'sampler'],
   'a density that is too uniform': ['sampler'],
+  'samples below the surface': ['sampler'],
+  'samples of any length': ['sampler'],
   'a negative density': ['density', 'sampler'],
   'a distribution that is not normalised': ['distribution'],
   'a lobe that is counted twice': ['lobes'],
