@@ -3,6 +3,16 @@
  * the CPU. Rendering is three.js's WebGPURenderer, on WebGPU or WebGL 2.
  */
 export { loadModel, shippedModels } from '../models/index.ts';
+export {
+  type Check,
+  checkModel,
+  type GpuEvaluation,
+  type Outcome,
+  type Property,
+  type Verdict,
+  type VerdictOptions,
+  type WorstCase,
+} from './analysis/verdict/verdict.ts';
 export { BrdfError, BrdfParameterError } from './brdf/error.ts';
 export type {
   BoolParameter,
