@@ -53,3 +53,7 @@ export function toggleHelpers(store: DocumentStore): void {
   setField(store, ['view', 'helpers'], !helpers, `${helpers ? 'Hide' : 'Show'} light helpers`);
   store.endMerge();
 }
+
+export function toggleBench(state: EditorStateStore): void {
+  state.set({ benchOpen: !state.value.benchOpen });
+}

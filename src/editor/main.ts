@@ -6,11 +6,12 @@ import { SceneMirror } from '../scene/mirror.ts';
 import { pageAssets } from '../scene/page-assets.ts';
 import type { Document } from '../scene/schema.ts';
 import { DocumentStore } from '../scene/store.ts';
-import { deleteSelected, duplicateSelected, toggleHelpers } from './commands.ts';
+import { deleteSelected, duplicateSelected, toggleBench, toggleHelpers } from './commands.ts';
 import { installErrorReports, showStartFailure } from './errors.ts';
 import { installDrop } from './io/drop.ts';
 import { ANY_ACCEPT, chooseFiles, download, fileNameOf } from './io/files.ts';
 import { openFiles } from './io/open.ts';
+import { createBench } from './panels/bench/bench.ts';
 import { createInspector } from './panels/inspector/inspector.ts';
 import { createOutliner } from './panels/outliner/outliner.ts';
 import { FrameTimes } from './panels/status/frame-times.ts';
@@ -82,6 +83,7 @@ document
     h('div', { class: 'panel-left' }, outliner.element),
     view,
     h('div', { class: 'panel-right' }, createInspector(session)),
+    createBench(session),
     status.element,
   );
 installDrop(view, (files) => void session.openFiles(files));
@@ -96,6 +98,7 @@ installShortcuts([
   { key: 'backspace', run: () => deleteSelected(store, state) },
   { key: 'f', run: () => session.focusSelection() },
   { key: 'h', run: () => toggleHelpers(store) },
+  { key: 'b', run: () => toggleBench(state) },
   { key: 'f2', run: () => session.renameSelected() },
   { key: 'escape', run: () => state.select(null) },
 ]);

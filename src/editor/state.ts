@@ -3,6 +3,7 @@
  * belongs to the scene; the scene's only state is the document.
  */
 import type { Document } from '../scene/schema.ts';
+import { type BenchSettings, initialSettings } from './panels/bench/settings.ts';
 
 export type EntityKind = 'lights' | 'objects' | 'materials';
 
@@ -18,9 +19,15 @@ export interface EditorState {
   /** Render every animation frame, not only when something changed. */
   readonly continuous: boolean;
   readonly statusOpen: boolean;
+  readonly benchOpen: boolean;
+  /** CSS pixels. */
+  readonly benchHeight: number;
+  readonly bench: BenchSettings;
 }
 
-type Persistent = Pick<EditorState, 'folded' | 'units' | 'statusOpen'>;
+const persistent = ['folded', 'units', 'statusOpen', 'benchOpen', 'benchHeight'] as const;
+
+type Persistent = Pick<EditorState, (typeof persistent)[number]>;
 
 const STORAGE_KEY = 'irradia.editor';
 
@@ -30,6 +37,9 @@ const initial: EditorState = {
   units: {},
   continuous: false,
   statusOpen: true,
+  benchOpen: false,
+  benchHeight: 320,
+  bench: initialSettings,
 };
 
 export class EditorStateStore {
@@ -43,7 +53,7 @@ export class EditorStateStore {
   set(patch: Partial<EditorState>): void {
     const previous = this.#state;
     this.#state = { ...previous, ...patch };
-    if (patch.folded || patch.units || patch.statusOpen !== undefined) this.#persist();
+    if (persistent.some((name) => patch[name] !== undefined)) this.#persist();
     for (const listener of [...this.#listeners]) listener(this.#state, previous);
   }
 
@@ -70,9 +80,10 @@ export class EditorStateStore {
   }
 
   #persist(): void {
-    const { folded, units, statusOpen } = this.#state;
+    const { folded, units, statusOpen, benchOpen, benchHeight } = this.#state;
+    const kept: Persistent = { folded, units, statusOpen, benchOpen, benchHeight };
     try {
-      localStorage.setItem(STORAGE_KEY, JSON.stringify({ folded, units, statusOpen } satisfies Persistent));
+      localStorage.setItem(STORAGE_KEY, JSON.stringify(kept));
     } catch {
       // Storage may be forbidden or full; the page then forgets its layout, nothing else.
     }
@@ -84,7 +95,7 @@ function restore(): Partial<Persistent> {
   try {
     const stored: unknown = JSON.parse(localStorage.getItem(STORAGE_KEY) ?? '{}');
     if (typeof stored !== 'object' || stored === null) return {};
-    const { folded, units, statusOpen } = stored as Record<string, unknown>;
+    const { folded, units, statusOpen, benchOpen, benchHeight } = stored as Record<string, unknown>;
     const isText = (value: unknown): value is string => typeof value === 'string';
     return {
       ...(Array.isArray(folded) && { folded: folded.filter(isText) }),
@@ -95,6 +106,8 @@ function restore(): Partial<Persistent> {
           ),
         }),
       ...(typeof statusOpen === 'boolean' && { statusOpen }),
+      ...(typeof benchOpen === 'boolean' && { benchOpen }),
+      ...(typeof benchHeight === 'number' && { benchHeight }),
     };
   } catch {
     return {};

@@ -4,7 +4,7 @@ import { addLight, addObject, removeUnused } from '../../../scene/commands.ts';
 import { addableGeometries, geometryNames } from '../../../scene/geometry-schema.ts';
 import { lightDefaults, lightTypes } from '../../../scene/light-schema.ts';
 import { addMaterial } from '../../../scene/material-commands.ts';
-import { attempt, toggleHelpers } from '../../commands.ts';
+import { attempt, toggleBench, toggleHelpers } from '../../commands.ts';
 import type { Session } from '../../session.ts';
 import { h } from '../../ui/dom.ts';
 import { type IconName, icon, isIcon } from '../../ui/icons.ts';
@@ -22,7 +22,7 @@ export interface TopbarActions {
 }
 
 export function createTopbar(session: Session, actions: TopbarActions): HTMLElement {
-  const { store } = session;
+  const { store, state } = session;
   const title = h('span', { class: 'scene-name' });
   const undo = historyButton('undo', () => store.undo());
   const redo = historyButton('redo', () => store.redo());
@@ -44,6 +44,24 @@ export function createTopbar(session: Session, actions: TopbarActions): HTMLElem
     icon('directional'),
   );
   helpers.addEventListener('click', () => toggleHelpers(store));
+
+  const bench = h(
+    'button',
+    {
+      type: 'button',
+      class: 'icon-button',
+      'aria-label': 'BRDF bench',
+      tip: 'Plots of the selected material (B)',
+    },
+    icon('plot'),
+  );
+  bench.addEventListener('click', () => toggleBench(state));
+  const showBench = () => {
+    bench.classList.toggle('on', state.value.benchOpen);
+    bench.setAttribute('aria-pressed', String(state.value.benchOpen));
+  };
+  state.subscribe(showBench);
+  showBench();
 
   const update = () => {
     helpers.classList.toggle('on', store.document.view.helpers);
@@ -70,6 +88,7 @@ export function createTopbar(session: Session, actions: TopbarActions): HTMLElem
     title,
     h('span', { class: 'spacer' }),
     createTermSelect(session),
+    bench,
     helpers,
     shot,
   );

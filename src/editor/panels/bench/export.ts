@@ -1,0 +1,90 @@
+/** The present view as a file: SVG and PNG from the same drawing, CSV from the numbers. */
+import { channelOf } from '../../../analysis/plots/channel.ts';
+import type { Rgb } from '../../../analysis/plots/curve.ts';
+import { imageAngles } from '../../../analysis/plots/image-slice.ts';
+import { canvasPainter } from './canvas-painter.ts';
+import { drawPlot } from './draw.ts';
+import { colors, DASHES, type Plot } from './frame.ts';
+import type { Painter } from './painter.ts';
+import { svgPainter } from './svg-painter.ts';
+
+const LEGEND_ROW = 18;
+/** For print and for screens of twice the density. */
+const PNG_SCALE = 2;
+
+export function exportSvg(plot: Plot, width: number, height: number): Blob {
+  const painter = svgPainter(width, height + legendHeight(plot));
+  drawWithLegend(painter, plot, height);
+  return new Blob([painter.finish()], { type: 'image/svg+xml' });
+}
+
+export async function exportPng(plot: Plot, width: number, height: number): Promise<Blob> {
+  const canvas = document.createElement('canvas');
+  drawWithLegend(canvasPainter(canvas, width, height + legendHeight(plot), PNG_SCALE), plot, height);
+  const blob = await new Promise<Blob | null>((resolve) => canvas.toBlob(resolve));
+  if (!blob) throw new Error('the browser could not encode the plot as PNG');
+  return blob;
+}
+
+const legendHeight = ({ curves }: Plot) => (curves.length ? curves.length * LEGEND_ROW + 10 : 0);
+
+/** A file has no legend beside it: the names go under the plot. */
+function drawWithLegend(painter: Painter, plot: Plot, height: number): void {
+  drawPlot({ ...painter, height }, { ...plot, probe: null });
+  const below = { x: 0, y: height, width: painter.width, height: painter.height - height };
+  painter.fill(below, colors.background);
+  for (const [i, { name, color, index }] of plot.curves.entries()) {
+    const y = height + (i + 0.5) * LEGEND_ROW;
+    const byDash = plot.settings.channel === 'rgb';
+    const dash = byDash ? (DASHES[index % DASHES.length] ?? []) : [];
+    painter.line(
+      [
+        [16, y],
+        [44, y],
+      ],
+      { color: byDash ? colors.text : color, width: 2, dash },
+    );
+    painter.text(name, [54, y], { color: colors.text });
+  }
+}
+
+/** Every number in full: what is read back is what was computed. */
+export function exportCsv({ settings, curves }: Plot): Blob {
+  const columns = ['red', 'green', 'blue', 'luminance'];
+  const cells = (rgb: Rgb | undefined) =>
+    rgb ? [...rgb, channelOf(rgb, 'luminance')].map(String) : columns.map(() => '');
+  const names = curves.flatMap(({ name }) => columns.map((column) => quoted(`${name} ${column}`)));
+  const rows: string[][] = [];
+  if (settings.view === 'image') {
+    rows.push(['theta_h_deg', 'theta_d_deg', ...names]);
+    const size = Math.min(...curves.map((curve) => curve.image?.size ?? 0));
+    for (let i = 0; i < size * size; i++) {
+      const { thetaH, thetaD } = imageAngles(
+        ((i % size) + 0.5) / size,
+        1 - (Math.floor(i / size) + 0.5) / size,
+      );
+      const values = curves.flatMap(({ image }) => {
+        const [r = 0, g = 0, b = 0] = image?.size === size ? image.pixels.subarray(3 * i, 3 * i + 3) : [];
+        return cells(image?.size === size ? [r, g, b] : undefined);
+      });
+      rows.push([String(thetaH), String(thetaD), ...values]);
+    }
+  } else {
+    const axis = {
+      polar: 'theta_l',
+      thetaL: 'theta_l',
+      thetaH: 'theta_h',
+      thetaD: 'theta_d',
+      albedo: 'theta_v',
+    };
+    rows.push([`${axis[settings.view]}_deg`, ...names]);
+    const angles = new Set(curves.flatMap((curve) => curve.points.map((point) => point.angle)));
+    const tables = curves.map(({ points }) => new Map(points.map(({ angle, rgb }) => [angle, rgb])));
+    for (const angle of [...angles].sort((a, b) => a - b)) {
+      rows.push([String(angle), ...tables.flatMap((table) => cells(table.get(angle)))]);
+    }
+  }
+  return new Blob([rows.map((row) => `${row.join(',')}\n`).join('')], { type: 'text/csv' });
+}
+
+const quoted = (text: string) => `"${text.replaceAll('"', '""')}"`;

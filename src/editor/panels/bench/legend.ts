@@ -1,0 +1,105 @@
+/** What is plotted: colour, name, the value under the pointer; pin, solo, remove. */
+import { channelOf } from '../../../analysis/plots/channel.ts';
+import type { Rgb } from '../../../analysis/plots/curve.ts';
+import { h } from '../../ui/dom.ts';
+import { icon } from '../../ui/icons.ts';
+import { shortNumber } from './scale.ts';
+import type { Subject } from './series.ts';
+import { type BenchSettings, CURRENT } from './settings.ts';
+
+export interface LegendActions {
+  pin(): void;
+  solo(id: string): void;
+  remove(id: string): void;
+}
+
+export interface Legend {
+  readonly element: HTMLElement;
+  show(subjects: readonly Subject[], settings: BenchSettings): void;
+  /** Of each curve at the probe; empty without one. */
+  showValues(where: string, values: ReadonlyMap<string, Rgb>, channel: BenchSettings['channel']): void;
+}
+
+export function createLegend(actions: LegendActions): Legend {
+  const rows = h('ul', { class: 'bench-legend' });
+  const where = h('span', { class: 'bench-where', role: 'status' });
+  const pin = h(
+    'button',
+    {
+      type: 'button',
+      class: 'text-button',
+      tip: 'Keep a copy of the model and its parameters to compare with',
+    },
+    'Pin',
+  );
+  pin.addEventListener('click', () => actions.pin());
+  const values = new Map<string, HTMLElement>();
+  let structure = '';
+
+  const legendRow = ({ id, name, model, color }: Subject, solo: string | null) => {
+    const swatch = h('span', { class: 'bench-swatch' });
+    swatch.style.background = color;
+    const value = h('span', { class: 'bench-value' });
+    values.set(id, value);
+    const alone = h(
+      'button',
+      {
+        type: 'button',
+        class: 'icon-button',
+        'aria-label': `Solo ${name}`,
+        'aria-pressed': String(solo === id),
+        tip: 'Draw this one alone',
+      },
+      icon(solo !== null && solo !== id ? 'eyeOff' : 'eye'),
+    );
+    alone.classList.toggle('on', solo === id);
+    alone.addEventListener('click', () => actions.solo(id));
+    const remove = h(
+      'button',
+      { type: 'button', class: 'icon-button', 'aria-label': `Remove ${name}` },
+      icon('close'),
+    );
+    remove.addEventListener('click', () => actions.remove(id));
+    const item = h(
+      'li',
+      { class: solo !== null && solo !== id ? 'off' : undefined },
+      swatch,
+      h('span', { class: 'bench-name', tip: `${name} · ${model}` }, name),
+      value,
+      alone,
+      id === CURRENT ? h('span', { class: 'icon-button' }) : remove,
+    );
+    item.dataset.curve = id;
+    return item;
+  };
+
+  return {
+    element: h(
+      'section',
+      { 'aria-label': 'Curves' },
+      h('div', { class: 'bench-legend-head' }, where, pin),
+      rows,
+    ),
+    show(subjects, { solo }) {
+      pin.disabled = subjects[0]?.id !== CURRENT;
+      const next = JSON.stringify([
+        solo,
+        subjects.map(({ id, name, model, color }) => [id, name, model, color]),
+      ]);
+      if (next === structure) return;
+      structure = next;
+      values.clear();
+      rows.replaceChildren(...subjects.map((subject) => legendRow(subject, solo)));
+    },
+    showValues(text, found, channel) {
+      where.textContent = text;
+      for (const [id, element] of values) {
+        const rgb = found.get(id);
+        if (!rgb) element.textContent = '';
+        else if (channel === 'rgb')
+          element.textContent = rgb.map((value) => shortNumber(Number(value.toPrecision(3)))).join('  ');
+        else element.textContent = shortNumber(channelOf(rgb, channel));
+      }
+    },
+  };
+}

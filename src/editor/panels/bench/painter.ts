@@ -1,0 +1,45 @@
+/** What plots are drawn with: a canvas on the page and in a PNG, elements in an SVG. Units are CSS pixels. */
+export interface Stroke {
+  readonly color: string;
+  readonly width?: number;
+  readonly dash?: readonly number[];
+}
+
+export interface TextStyle {
+  readonly color: string;
+  readonly align?: 'left' | 'center' | 'right';
+  /** Degrees, about the given point. */
+  readonly turn?: number;
+}
+
+export interface Area {
+  readonly x: number;
+  readonly y: number;
+  readonly width: number;
+  readonly height: number;
+}
+
+export interface Pixels {
+  readonly width: number;
+  readonly height: number;
+  /** sRGB, rows from the top. */
+  readonly rgba: Uint8ClampedArray<ArrayBuffer>;
+}
+
+export type Point = readonly [number, number];
+
+export interface Painter {
+  readonly width: number;
+  readonly height: number;
+  fill(area: Area, color: string): void;
+  line(points: readonly Point[], stroke: Stroke): void;
+  disc(center: Point, radius: number, color: string): void;
+  /** Centred on y. */
+  text(text: string, at: Point, style: TextStyle): void;
+  image(pixels: Pixels, area: Area): void;
+  /** Draws only inside the area. */
+  clip(area: Area, draw: () => void): void;
+}
+
+export const FONT_SIZE = 11;
+export const FONT = '"Inter", "Segoe UI", system-ui, sans-serif';

@@ -1,0 +1,74 @@
+/** The slice in the plane of incidence as one sees it from the side: the surface below, the normal upwards. */
+import { channelOf } from '../../../analysis/plots/channel.ts';
+import { colors, type Plot, quantityOf, strandsOf, valuesOf } from './frame.ts';
+import type { Painter, Point } from './painter.ts';
+import { valueScale } from './scale.ts';
+
+interface Fan {
+  readonly center: Point;
+  readonly radius: number;
+}
+
+function fanOf(width: number, height: number): Fan {
+  const radius = Math.max(20, Math.min(height - 58, width / 2 - 40));
+  return { center: [width / 2, height - 30], radius };
+}
+
+/** theta_l under the pointer, negative on the viewer's side; null beside the plot. */
+export function polarAngle(width: number, height: number, [x, y]: Point): number | null {
+  const { center, radius } = fanOf(width, height);
+  const [dx, dy] = [x - center[0], center[1] - y];
+  const distance = Math.hypot(dx, dy);
+  if (distance < 4 || distance > radius + 26 || dy < -10) return null;
+  return Math.max(-90, Math.min(90, (Math.atan2(dx, dy) * 180) / Math.PI));
+}
+
+export function drawPolar(painter: Painter, plot: Plot): void {
+  const { settings, curves, probe } = plot;
+  const { center, radius } = fanOf(painter.width, painter.height);
+  const scale = valueScale(valuesOf(plot), settings.log, settings.range);
+  const at = (angle: number, part: number): Point => {
+    const theta = (angle * Math.PI) / 180;
+    return [center[0] + radius * part * Math.sin(theta), center[1] - radius * part * Math.cos(theta)];
+  };
+  const arc = (part: number) => Array.from({ length: 91 }, (_, i) => at(-90 + 2 * i, part));
+
+  for (let angle = -90; angle <= 90; angle += 15) {
+    const flat = Math.abs(angle) === 90;
+    painter.line([center, at(angle, 1)], { color: flat || angle === 0 ? colors.axis : colors.grid });
+    const label = `${Math.abs(angle)}°`;
+    const align = angle < -20 ? 'right' : angle > 20 ? 'left' : 'center';
+    if (angle % 30 === 0 || radius > 150) {
+      painter.text(label, at(angle, 1 + 10 / radius), { color: colors.faint, align });
+    }
+  }
+  painter.line(arc(1), { color: colors.grid });
+  for (const { at: part, label } of scale.ticks) {
+    if (part <= 0) continue;
+    painter.line(arc(part), { color: colors.grid });
+    const [x, y] = at(90, part);
+    painter.text(label, [x, y + 11], { color: colors.faint, align: 'center' });
+  }
+  painter.text(quantityOf(settings), [14, 14], { color: colors.text });
+
+  painter.line([center, at(settings.thetaV, 1)], { color: colors.faint, dash: [3, 4] });
+  painter.line([center, at(-settings.thetaV, 1)], { color: colors.guide });
+  painter.disc(at(-settings.thetaV, 1), 4, colors.guide);
+  painter.text('v', at(-settings.thetaV - 3, 1 - 14 / radius), { color: colors.guide, align: 'center' });
+  if (probe) painter.line([center, at(probe.angle, 1)], { color: colors.axis });
+
+  painter.clip({ x: 0, y: 0, width: painter.width, height: center[1] + 1 }, () => {
+    for (const curve of curves) {
+      for (const { channel, stroke } of strandsOf(curve, settings.channel)) {
+        const place = (angle: number, rgb: readonly [number, number, number]) =>
+          at(angle, Math.min(1.5, scale.position(channelOf(rgb, channel))));
+        painter.line(
+          curve.points.map(({ angle, rgb }) => place(angle, rgb)),
+          stroke,
+        );
+        const under = probe && curve.at(probe.angle);
+        if (under) painter.disc(place(under.angle, under.rgb), 3.5, stroke.color);
+      }
+    }
+  });
+}

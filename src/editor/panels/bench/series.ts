@@ -1,0 +1,86 @@
+/** The curves of the bench: one that follows the selected material, one for each pin. */
+import type { Reflectance } from '../../../analysis/plots/curve.ts';
+import { createEvaluator, type Evaluator } from '../../../glsl/evaluator.ts';
+import { findModel, modelOrigin } from '../../../scene/models.ts';
+import type { Document } from '../../../scene/schema.ts';
+import type { Selection } from '../../state.ts';
+import { CURRENT, CURRENT_COLOR, type OwnModel, type Pin } from './settings.ts';
+
+/** A model, its parameters and where the model comes from: enough to evaluate it, here or in a worker. */
+export interface Subject {
+  readonly id: string;
+  readonly name: string;
+  readonly color: string;
+  readonly model: string;
+  readonly source: OwnModel | null;
+  readonly parameters: Readonly<Record<string, unknown>>;
+}
+
+export function selectedMaterial({ objects, materials }: Document, selection: Selection): string | undefined {
+  if (selection?.kind === 'materials') return selection.id;
+  const object = selection?.kind === 'objects' ? objects[selection.id] : undefined;
+  return object?.material ?? Object.keys(materials)[0];
+}
+
+export function subjectsOf(document: Document, selection: Selection, pins: readonly Pin[]): Subject[] {
+  const id = selectedMaterial(document, selection);
+  const material = id === undefined ? undefined : document.materials[id];
+  if (!material) return [...pins];
+  const { name, model, parameters } = material;
+  const source = ownModel(document, model);
+  return [{ id: CURRENT, name, model, source, parameters, color: CURRENT_COLOR }, ...pins];
+}
+
+/** The same object as long as the model stays the same: curves are computed anew when it changes. */
+const ownModels = new WeakMap<object, OwnModel>();
+
+function ownModel(document: Document, name: string): OwnModel | null {
+  const origin = modelOrigin(document, name);
+  const entry = document.models[name];
+  if (!origin || !entry || !Object.hasOwn(document.models, name)) return null;
+  const known = ownModels.get(origin);
+  if (known && Object.hasOwn(known.models, name)) return known;
+  const assets = 'measured' in entry && 'data' in origin ? { [entry.measured]: origin } : {};
+  const own = { models: { [name]: entry }, assets };
+  ownModels.set(origin, own);
+  return own;
+}
+
+/** The terms of a subject's model; none where the model is missing or broken. */
+export function termsOf(subject: Subject): readonly string[] {
+  try {
+    return modelOf(subject)?.terms ?? [];
+  } catch {
+    // The inspector says what is wrong with the model; the bench has nothing to draw.
+    return [];
+  }
+}
+
+function modelOf({ model, source }: Pick<Subject, 'model' | 'source'>) {
+  return findModel(source ?? { models: {}, assets: {} }, model);
+}
+
+/** @throws if there is no such model, it is broken, or a parameter does not suit it */
+export function evaluatorOf(subject: Pick<Subject, 'model' | 'source' | 'parameters'>): Evaluator {
+  const model = modelOf(subject);
+  if (!model) throw new Error(`there is no model ${subject.model}`);
+  return createEvaluator(model, subject.parameters);
+}
+
+/** Keeps an evaluator for each subject: making one is far slower than setting its parameters. */
+export class Evaluators {
+  readonly #kept = new Map<string, { subject: Subject; evaluator: Evaluator }>();
+
+  /** The subject's model or term as a function; null where there is none. */
+  reflectance(subject: Subject, term: string): Reflectance | null {
+    if (!termsOf(subject).includes(term)) return null;
+    const kept = this.#kept.get(subject.id);
+    let evaluator = kept?.evaluator;
+    if (kept && evaluator && kept.subject.model === subject.model && kept.subject.source === subject.source) {
+      if (kept.subject.parameters !== subject.parameters) evaluator.set(subject.parameters);
+    } else evaluator = evaluatorOf(subject);
+    this.#kept.set(subject.id, { subject, evaluator });
+    const { f } = evaluator;
+    return (l, v) => f(l, v, undefined, term);
+  }
+}
