@@ -14,7 +14,7 @@ const command: Command = {
     'docs/verdict.md explains each law.',
     '',
     '  MODEL       a model that ships; `irradia brdf list` names them',
-    '  FILE        a .brdf file',
+    '  FILE        a .brdf file, or a measured BRDF (.binary of the MERL database)',
     '  --json      as JSON: {"model", "sound", "checks": [{"property", "outcome", "figure", "figureText",',
     '              "sentence", "worst": {"term", "parameters", "l", "v"}}]}',
     '  --backend   gpu: compares a GPU, or the software one, with float64 as well; cpu is the default',
