@@ -38,7 +38,7 @@ const initial: EditorState = {
   continuous: false,
   statusOpen: true,
   benchOpen: false,
-  benchHeight: 320,
+  benchHeight: 348,
   bench: initialSettings,
 };
 

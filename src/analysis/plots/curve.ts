@@ -14,6 +14,9 @@ export interface CurvePoint {
 
 export type Curve = readonly CurvePoint[];
 
+/** Degrees. On the horizon itself most models are 0/0, and 0 by a guard: a curve ends just before it. */
+export const HORIZON = 89.99;
+
 export const radians = (degrees: number): number => (degrees * Math.PI) / 180;
 
 /** f, or f times the cosine at the light's side; zero where a direction is below the surface. */

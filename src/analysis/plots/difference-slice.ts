@@ -1,5 +1,5 @@
 /** The slice over theta_d at a fixed theta_h: mostly the Fresnel reflectance and the masking. */
-import { type Curve, type CurvePoint, type Reflectance, radians, reflected } from './curve.ts';
+import { type Curve, type CurvePoint, HORIZON, type Reflectance, radians, reflected } from './curve.ts';
 import { directionsFrom } from './half-difference.ts';
 
 export interface DifferenceSliceOptions {
@@ -27,5 +27,5 @@ export function differenceSliceAt(
 }
 
 export function differenceSlice(f: Reflectance, options: DifferenceSliceOptions): Curve {
-  return Array.from({ length: POINTS + 1 }, (_, i) => differenceSliceAt(f, (90 * i) / POINTS, options));
+  return Array.from({ length: POINTS + 1 }, (_, i) => differenceSliceAt(f, (HORIZON * i) / POINTS, options));
 }

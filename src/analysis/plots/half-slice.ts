@@ -1,5 +1,5 @@
 /** The slice over theta_h at a fixed theta_d: the shape of the highlight, mostly the distribution of normals. */
-import { type Curve, type CurvePoint, type Reflectance, radians, reflected } from './curve.ts';
+import { type Curve, type CurvePoint, HORIZON, type Reflectance, radians, reflected } from './curve.ts';
 import { directionsFrom } from './half-difference.ts';
 
 export interface HalfSliceOptions {
@@ -24,5 +24,5 @@ export function halfSliceAt(f: Reflectance, thetaH: number, options: HalfSliceOp
 
 /** The angles are squares: highlights are near 0. */
 export function halfSlice(f: Reflectance, options: HalfSliceOptions): Curve {
-  return Array.from({ length: POINTS + 1 }, (_, i) => halfSliceAt(f, 90 * (i / POINTS) ** 2, options));
+  return Array.from({ length: POINTS + 1 }, (_, i) => halfSliceAt(f, HORIZON * (i / POINTS) ** 2, options));
 }

@@ -3,7 +3,7 @@
  * opposite to it, so that the mirror direction is at theta_l = theta_v.
  */
 import { direction, type Vec3 } from '../vector.ts';
-import { type Curve, type CurvePoint, type Reflectance, radians, reflected } from './curve.ts';
+import { type Curve, type CurvePoint, HORIZON, type Reflectance, radians, reflected } from './curve.ts';
 
 export interface LightSliceOptions {
   /** Degrees. */
@@ -28,13 +28,13 @@ export function lightSlice(f: Reflectance, options: LightSliceOptions): Curve {
 
 /** Every degree, and closer and closer about the two directions where a smooth surface has its peaks. */
 function lightAngles(thetaV: number): number[] {
-  const angles = new Set<number>([thetaV, -thetaV]);
-  for (let angle = -90; angle <= 90; angle++) angles.add(angle);
+  const angles = new Set<number>([thetaV, -thetaV, HORIZON, -HORIZON]);
+  for (let angle = -89; angle <= 89; angle++) angles.add(angle);
   for (let distance = 6; distance > 0.01; distance *= 0.75) {
     for (const peak of [thetaV, -thetaV]) {
       angles.add(peak - distance);
       angles.add(peak + distance);
     }
   }
-  return [...angles].filter((angle) => Math.abs(angle) <= 90).sort((a, b) => a - b);
+  return [...angles].filter((angle) => Math.abs(angle) <= HORIZON).sort((a, b) => a - b);
 }

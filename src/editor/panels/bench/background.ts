@@ -40,8 +40,9 @@ export class Background {
     const worker = new Worker(new URL('./worker.ts', import.meta.url), { type: 'module' });
     worker.addEventListener('message', ({ data }: MessageEvent<Answer>) => {
       const wish = this.#wishes.get(data.key);
-      if (wish?.ticket !== data.ticket) return;
-      wish.result = data.result;
+      if (!wish) return;
+      // While a slider moves, what comes is of a moment ago: shown, and not taken for the end.
+      wish.result = wish.ticket === data.ticket ? data.result : { ...data.result, progress: 0 };
       this.#onResult();
     });
     this.#worker = worker;

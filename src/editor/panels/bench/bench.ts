@@ -73,6 +73,9 @@ export function createBench({ store, state }: Session): HTMLElement {
     return { plot: { settings, curves: data.curves, probe }, progress: data.progress };
   };
 
+  /** A file of a curve that is not complete would be taken for the whole. */
+  const computing = () => present(null).progress < 1;
+
   const save = async (extension: 'svg' | 'png' | 'csv') => {
     const { plot } = present(null);
     const { width, height } = canvas.size();
@@ -100,9 +103,15 @@ export function createBench({ store, state }: Session): HTMLElement {
       progress,
       h('span', { class: 'spacer' }),
       menuButton('Export', () => [
-        { label: 'SVG', icon: 'image', run: () => void save('svg') },
-        { label: 'PNG', icon: 'image', run: () => void save('png') },
-        { label: 'CSV', icon: 'file', tip: 'The numbers, in full precision', run: () => void save('csv') },
+        { label: 'SVG', icon: 'image', disabled: computing(), run: () => void save('svg') },
+        { label: 'PNG', icon: 'image', disabled: computing(), run: () => void save('png') },
+        {
+          label: 'CSV',
+          icon: 'file',
+          tip: 'The numbers, in full precision',
+          disabled: computing(),
+          run: () => void save('csv'),
+        },
       ]),
       close,
     ),

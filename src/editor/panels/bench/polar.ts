@@ -47,14 +47,14 @@ export function drawPolar(painter: Painter, plot: Plot): void {
     if (part <= 0) continue;
     painter.line(arc(part), { color: colors.grid });
     const [x, y] = at(90, part);
-    painter.text(label, [x, y + 11], { color: colors.faint, align: 'center' });
+    painter.text(label, [x, y + 15], { color: colors.faint, align: 'center' });
   }
   painter.text(quantityOf(settings), [14, 14], { color: colors.text });
 
   painter.line([center, at(settings.thetaV, 1)], { color: colors.faint, dash: [3, 4] });
   painter.line([center, at(-settings.thetaV, 1)], { color: colors.guide });
   painter.disc(at(-settings.thetaV, 1), 4, colors.guide);
-  painter.text('v', at(-settings.thetaV - 3, 1 - 14 / radius), { color: colors.guide, align: 'center' });
+  painter.text('v', at(-settings.thetaV - 4, 1 - 14 / radius), { color: colors.guide, align: 'center' });
   if (probe) painter.line([center, at(probe.angle, 1)], { color: colors.axis });
 
   painter.clip({ x: 0, y: 0, width: painter.width, height: center[1] + 1 }, () => {

@@ -3,6 +3,7 @@ import type { Reflectance } from '../../../analysis/plots/curve.ts';
 import { createEvaluator, type Evaluator } from '../../../glsl/evaluator.ts';
 import { findModel, modelOrigin } from '../../../scene/models.ts';
 import type { Document } from '../../../scene/schema.ts';
+import { selectedMaterial } from '../../selected-material.ts';
 import type { Selection } from '../../state.ts';
 import { CURRENT, CURRENT_COLOR, type OwnModel, type Pin } from './settings.ts';
 
@@ -14,12 +15,6 @@ export interface Subject {
   readonly model: string;
   readonly source: OwnModel | null;
   readonly parameters: Readonly<Record<string, unknown>>;
-}
-
-export function selectedMaterial({ objects, materials }: Document, selection: Selection): string | undefined {
-  if (selection?.kind === 'materials') return selection.id;
-  const object = selection?.kind === 'objects' ? objects[selection.id] : undefined;
-  return object?.material ?? Object.keys(materials)[0];
 }
 
 export function subjectsOf(document: Document, selection: Selection, pins: readonly Pin[]): Subject[] {

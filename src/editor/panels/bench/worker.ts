@@ -5,6 +5,8 @@ import type { Answer, Job, Result } from './jobs.ts';
 import { evaluatorOf } from './series.ts';
 
 const FINAL_IMAGE = 128;
+/** With fewer points a curve says nothing; with these it follows a slider, if coarsely. */
+const FEWEST_POINTS = 5;
 
 const running = new Map<string, { job: Job; steps: Generator<Result> }>();
 let busy = false;
@@ -48,6 +50,7 @@ function* stepsOf({ subject, term, task }: Job): Generator<Result> {
   const f: Parameters<typeof albedoCurve>[0] = (l, v) => evaluator.f(l, v, undefined, term);
   if (task.kind === 'albedo') {
     for (const curve of albedoCurve(f, task.phiV)) {
+      if (curve.length < FEWEST_POINTS) continue;
       yield { curve, image: null, progress: curve.length / albedoAngles.length, error: null };
     }
   } else {

@@ -3,6 +3,7 @@
  * the terms of the selected material, and of the one that is looked at already.
  */
 import { findModel } from '../../../scene/models.ts';
+import { selectedMaterial } from '../../selected-material.ts';
 import type { Session } from '../../session.ts';
 import { h } from '../../ui/dom.ts';
 import { type Choice, selectField } from '../../ui/fields.ts';
@@ -22,14 +23,6 @@ export function createTermSelect({ store, state }: Session): HTMLElement {
     });
   });
 
-  const selectedMaterial = (): string | undefined => {
-    const { objects, materials } = store.document;
-    const { selection } = state.value;
-    if (selection?.kind === 'materials') return selection.id;
-    const object = selection?.kind === 'objects' ? objects[selection.id] : undefined;
-    return object?.material ?? Object.keys(materials)[0];
-  };
-
   const termsOf = (id: string): Choice[] => {
     const material = store.document.materials[id];
     const terms = material ? (findModel(store.document, material.model)?.terms ?? []) : [];
@@ -44,7 +37,11 @@ export function createTermSelect({ store, state }: Session): HTMLElement {
 
   const update = () => {
     const { term } = store.document.view;
-    const ids = new Set([selectedMaterial(), term?.material].filter((id) => id !== undefined));
+    const ids = new Set(
+      [selectedMaterial(store.document, state.value.selection), term?.material].filter(
+        (id) => id !== undefined,
+      ),
+    );
     field.setChoices([WHOLE, ...[...ids].flatMap(termsOf)]);
     field.show(choiceOf(term));
     element.classList.toggle('on', term !== null);
