@@ -13,6 +13,8 @@ export interface QuadratureOptions {
   readonly tolerance?: number;
   /** Stop, with a larger error, after about this many evaluations of the integrand. */
   readonly maxEvaluations?: number;
+  /** How often the cells around a focus are halved before anything is measured; 8 if not given. */
+  readonly focusDepth?: number;
 }
 
 export interface Integral {
@@ -42,9 +44,6 @@ const RULE: readonly (readonly [number, number, number])[] = [
   [0.9604912687080203, 0.10465622602646726, 0],
 ];
 
-/** Cells around a focus are split until they are this much smaller than the rectangle. */
-const FOCUS_DEPTH = 8;
-
 export interface Rectangle {
   readonly x: number;
   readonly y: number;
@@ -58,7 +57,7 @@ export function integrateRectangle(
   rectangle: Rectangle,
   options: QuadratureOptions & { readonly focus?: readonly (readonly [number, number])[] } = {},
 ): Integral {
-  const { tolerance = 1e-6, maxEvaluations = 200_000, focus = [] } = options;
+  const { tolerance = 1e-6, maxEvaluations = 200_000, focus = [], focusDepth = 8 } = options;
   let evaluations = 0;
 
   const measure = ({ x, y, width, height }: Rectangle): Cell => {
@@ -98,7 +97,7 @@ export function integrateRectangle(
   const refine = (cell: Rectangle, depth: number): Rectangle[] =>
     depth > 0 && contains(cell) ? quarters(cell).flatMap((quarter) => refine(quarter, depth - 1)) : [cell];
 
-  let cells = refine(rectangle, FOCUS_DEPTH).map(measure);
+  let cells = refine(rectangle, focusDepth).map(measure);
   for (;;) {
     const error = cells.reduce((sum, cell) => sum + cell.error, 0);
     if (error <= tolerance || evaluations >= maxEvaluations) {

@@ -33,7 +33,7 @@ function finiteBrdf(context: Context, parameters: ParameterValues): (l: Vec3, v:
 }
 
 /**
- * One pass of quadrature, finer towards the mirror direction: some 1200 evaluations, enough to tell a dangerous
+ * One pass of quadrature, finer towards the mirror direction: some 900 evaluations, enough to tell a dangerous
  * case from a harmless one.
  */
 function rough(context: Context, parameters: ParameterValues, v: Vec3): Albedo {
@@ -41,6 +41,7 @@ function rough(context: Context, parameters: ParameterValues, v: Vec3): Albedo {
   const weighted = (l: Vec3) => f(l, v).map((x) => x * l[2]);
   const { value, error } = integrateHemisphere(weighted, {
     focus: [[-v[0], -v[1], v[2]]],
+    focusDepth: 6,
     maxEvaluations: 1,
   });
   return { parameters, v, value: Math.max(...value), error };
@@ -61,7 +62,7 @@ export async function checkEnergy(context: Context): Promise<Check> {
   const { parameters } = context.model;
   const { random } = context;
   const sets = cornerParameters(parameters).map((set) => ({ set, cosines: [1, LOWEST] }));
-  for (let i = context.trials(parameters.length ? 40 : 1); i > 0; i--)
+  for (let i = context.trials(parameters.length ? 24 : 1); i > 0; i--)
     sets.push({ set: randomParameters(random, parameters), cosines: [LOWEST + (1 - LOWEST) * random()] });
 
   const found: Albedo[] = [];
@@ -107,7 +108,7 @@ async function confirm(context: Context, found: readonly Albedo[]): Promise<Albe
     if (lead.level === 0) {
       lead.albedo = precise(context, parameters, v, 2500);
       lead.level = 1;
-      spent += 0.25;
+      spent += 0.5;
       continue;
     }
     const careful = precise(context, parameters, v);
@@ -130,7 +131,7 @@ async function refine(context: Context, start: Albedo): Promise<Albedo> {
     }
   }
   let reach = 0.3;
-  for (let i = 0, steps = context.trials(40); i < steps; i++) {
+  for (let i = 0, steps = context.trials(24); i < steps; i++) {
     await context.pulse(0.9 + (0.1 * i) / steps);
     const set = nearParameters(context.random, parameters, top.parameters, reach);
     const next = rough(context, set, moved(context.random, top.v, reach, LOWEST));
