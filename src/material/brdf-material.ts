@@ -3,7 +3,9 @@ import {
   type Node,
   type NodeBuilder,
   NodeMaterial,
+  type NormalMapTypes,
   type Scene,
+  TangentSpaceNormalMap,
   type Texture,
   Vector2,
   Vector3,
@@ -50,6 +52,8 @@ export class BrdfMaterial extends NodeMaterial {
   readonly maps: Record<string, ParameterMap> = {};
 
   normalMap: Texture | null = null;
+  /** three.js applies a normal map only if this says which kind it is. */
+  normalMapType: NormalMapTypes = TangentSpaceNormalMap;
   normalScale = new Vector2(1, 1);
   bumpMap: Texture | null = null;
   bumpScale = 1;

@@ -1,0 +1,113 @@
+import * as THREE from 'three/webgpu';
+import { expect, test } from 'vitest';
+import { BrdfMaterial } from '../../src/material/brdf-material.ts';
+import { testRenderer } from '../support/gpu.ts';
+import { drawScene, modelNamed, SIZE } from './lit-sphere.ts';
+
+/**
+ * What three.js users expect of any material, with the model `lambert` beside three.js's own Lambert material.
+ */
+
+const { renderer } = await testRenderer(SIZE, SIZE);
+renderer.shadowMap.enabled = true;
+
+type Either = BrdfMaterial | THREE.MeshLambertNodeMaterial;
+
+interface Feature {
+  readonly set?: (material: Either) => void;
+  readonly geometry?: () => THREE.BufferGeometry;
+  readonly shadow?: boolean;
+}
+
+/** A texture of noise, so that no two texels agree by accident. */
+function noise(low: readonly number[], high: readonly number[]): THREE.DataTexture {
+  const size = 8;
+  const texels = new Uint8Array(size * size * 4);
+  let state = 1;
+  for (let i = 0; i < texels.length; i++) {
+    state = (state * 48271) % 0x7fffffff;
+    const [from, to] = [low[i % 4] as number, high[i % 4] as number];
+    texels[i] = from + (to - from) * (state / 0x7fffffff);
+  }
+  const texture = new THREE.DataTexture(texels, size, size);
+  texture.magFilter = THREE.LinearFilter;
+  texture.needsUpdate = true;
+  return texture;
+}
+
+const sphere = () => new THREE.SphereGeometry(1, 48, 32);
+/** Open towards the camera. */
+const halfSphere = () => new THREE.SphereGeometry(1, 48, 32, Math.PI * 0.7, Math.PI * 1.3);
+const withoutNormals = () => {
+  const geometry = sphere();
+  geometry.deleteAttribute('normal');
+  return geometry;
+};
+const grey = () => noise([0, 0, 0, 255], [255, 255, 255, 255]);
+const normals = () => noise([70, 70, 180, 255], [185, 185, 255, 255]);
+
+const FEATURES: Readonly<Record<string, Feature>> = {
+  'a normal map': { set: (m) => Object.assign(m, { normalMap: normals() }) },
+  'a normal map, scaled': {
+    set: (m) => Object.assign(m, { normalMap: normals(), normalScale: new THREE.Vector2(0.5, -0.5) }),
+  },
+  'a normal map with tangents': {
+    set: (m) => Object.assign(m, { normalMap: normals() }),
+    geometry: () => {
+      const geometry = sphere();
+      geometry.computeTangents();
+      return geometry;
+    },
+  },
+  'a bump map': { set: (m) => Object.assign(m, { bumpMap: grey(), bumpScale: 3 }) },
+  'an occlusion map': { set: (m) => Object.assign(m, { aoMap: grey(), aoMapIntensity: 0.8 }) },
+  'emission with a map': {
+    set: (m) =>
+      Object.assign(m, {
+        emissive: new THREE.Color(1, 0.5, 0.2),
+        emissiveIntensity: 2,
+        emissiveMap: noise([0, 0, 0, 255], [255, 255, 255, 255]),
+      }),
+  },
+  transparency: { set: (m) => Object.assign(m, { transparent: true, opacity: 0.4 }) },
+  'an alpha map': { set: (m) => Object.assign(m, { transparent: true, alphaMap: grey() }) },
+  'an alpha test': { set: (m) => Object.assign(m, { alphaTest: 0.5, alphaMap: grey() }) },
+  'two sides': { set: (m) => Object.assign(m, { side: THREE.DoubleSide }), geometry: halfSphere },
+  'the back side': { set: (m) => Object.assign(m, { side: THREE.BackSide }) },
+  'flat shading': { set: (m) => Object.assign(m, { flatShading: true }) },
+  'no normals': { geometry: withoutNormals },
+  shadows: { shadow: true },
+};
+
+async function draw(material: Either, { set, geometry = sphere, shadow = false }: Feature) {
+  set?.(material);
+  const light = new THREE.DirectionalLight(0xffffff, 3);
+  light.position.set(1, 2, 2);
+  const mesh = new THREE.Mesh(geometry(), material);
+  const scene = new THREE.Scene();
+  scene.add(light, new THREE.AmbientLight(0xffffff, 0.3), mesh);
+  if (shadow) {
+    const caster = new THREE.Mesh(new THREE.SphereGeometry(0.3), material);
+    caster.position.set(0.5, 1, 1);
+    light.castShadow = true;
+    caster.castShadow = true;
+    mesh.receiveShadow = true;
+    scene.add(caster);
+  }
+  return drawScene(renderer, scene);
+}
+
+const brdf = () => new BrdfMaterial(modelNamed('lambert'), { albedo: [0.8, 0.5, 0.2] });
+const lambert = () => new THREE.MeshLambertNodeMaterial({ color: new THREE.Color().setRGB(0.8, 0.5, 0.2) });
+
+/** The share of values that are further apart than half a hundredth. */
+const different = (a: Float32Array, b: Float32Array) =>
+  a.filter((x, i) => !(Math.abs(x - (b[i] as number)) < 0.005)).length / a.length;
+
+const plain = await draw(brdf(), {});
+
+test.each(Object.entries(FEATURES))('%s looks as with MeshLambertMaterial', async (name, feature) => {
+  const picture = await draw(brdf(), feature);
+  expect(different(picture, await draw(lambert(), feature))).toBeLessThan(0.002);
+  if (name !== 'no normals') expect(different(picture, plain), 'it does something').toBeGreaterThan(0.01);
+});
