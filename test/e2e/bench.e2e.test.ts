@@ -137,11 +137,12 @@ describe('the bench', () => {
     expect((await table()).rows.length).toBeGreaterThan(150);
   });
 
-  it('computes the albedo beside the page, which stays alive', async () => {
+  it('computes the albedo in a worker', async () => {
     await page.page.click('[data-view=albedo]');
     await plot();
     await page.page.waitForSelector('.bench-progress', { state: 'hidden' });
     const { rows } = await table();
+    expect(page.page.workers()).toHaveLength(1);
     expect(rows).toHaveLength(31);
     for (const [, red = 0] of rows) {
       expect(red).toBeGreaterThan(0);

@@ -53,7 +53,7 @@ export function createControls(change: Change): Controls {
       show: (s) => channel.show(s.channel),
       views: null,
     },
-    { ...toggle(change, 'log', 'Logarithmic', 'A logarithmic axis of values'), views: curves },
+    { ...toggle(change, 'log', 'Log', 'A logarithmic axis of values'), views: curves },
     {
       ...toggle(change, 'cosine', 'Times n·l', 'Multiply by the cosine at the light'),
       views: [...slices, 'image'],

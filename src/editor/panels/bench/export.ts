@@ -4,7 +4,7 @@ import type { Rgb } from '../../../analysis/plots/curve.ts';
 import { imageAngles } from '../../../analysis/plots/image-slice.ts';
 import { canvasPainter } from './canvas-painter.ts';
 import { drawPlot } from './draw.ts';
-import { colors, DASHES, type Plot } from './frame.ts';
+import { colors, dashOf, type Plot } from './frame.ts';
 import type { Painter } from './painter.ts';
 import { svgPainter } from './svg-painter.ts';
 
@@ -36,7 +36,7 @@ function drawWithLegend(painter: Painter, plot: Plot, height: number): void {
   for (const [i, { name, color, index }] of plot.curves.entries()) {
     const y = height + (i + 0.5) * LEGEND_ROW;
     const byDash = plot.settings.channel === 'rgb';
-    const dash = byDash ? (DASHES[index % DASHES.length] ?? []) : [];
+    const dash = byDash ? dashOf(index) : [];
     painter.line(
       [
         [16, y],

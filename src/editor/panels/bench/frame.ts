@@ -16,7 +16,9 @@ export const colors = {
 
 const CHANNEL_COLORS = { luminance: '', red: '#e5766f', green: '#85bd6b', blue: '#6b9fe6' } as const;
 /** With a line for each channel the colour is the channel's, and dashes tell materials apart. */
-export const DASHES: readonly (readonly number[])[] = [[], [7, 4], [2, 3], [9, 3, 2, 3], [14, 5]];
+const DASHES: readonly (readonly number[])[] = [[], [7, 4], [2, 3], [9, 3, 2, 3], [14, 5]];
+
+export const dashOf = (index: number): readonly number[] => DASHES[index % DASHES.length] ?? [];
 
 export interface PlottedCurve {
   readonly id: string;
@@ -52,7 +54,7 @@ export function strandsOf(curve: PlottedCurve, channel: Channel | 'rgb'): Strand
   if (channel !== 'rgb') return [{ channel, stroke: { color: curve.color, width: 1.75 } }];
   return (['red', 'green', 'blue'] as const).map((each) => ({
     channel: each,
-    stroke: { color: CHANNEL_COLORS[each], width: 1.5, dash: DASHES[curve.index % DASHES.length] ?? [] },
+    stroke: { color: CHANNEL_COLORS[each], width: 1.5, dash: dashOf(curve.index) },
   }));
 }
 

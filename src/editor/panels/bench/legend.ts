@@ -3,9 +3,12 @@ import { channelOf } from '../../../analysis/plots/channel.ts';
 import type { Rgb } from '../../../analysis/plots/curve.ts';
 import { h } from '../../ui/dom.ts';
 import { icon } from '../../ui/icons.ts';
+import { dashOf } from './frame.ts';
 import { shortNumber } from './scale.ts';
 import type { Subject } from './series.ts';
 import { type BenchSettings, CURRENT } from './settings.ts';
+
+const SVG = 'http://www.w3.org/2000/svg';
 
 export interface LegendActions {
   pin(): void;
@@ -36,9 +39,7 @@ export function createLegend(actions: LegendActions): Legend {
   const values = new Map<string, HTMLElement>();
   let structure = '';
 
-  const legendRow = ({ id, name, model, color }: Subject, solo: string | null) => {
-    const swatch = h('span', { class: 'bench-swatch' });
-    swatch.style.background = color;
+  const legendRow = ({ id, name, model }: Subject, swatch: SVGElement, solo: string | null) => {
     const value = h('span', { class: 'bench-value' });
     values.set(id, value);
     const alone = h(
@@ -80,16 +81,22 @@ export function createLegend(actions: LegendActions): Legend {
       h('div', { class: 'bench-legend-head' }, where, pin),
       rows,
     ),
-    show(subjects, { solo }) {
+    show(subjects, { solo, channel }) {
       pin.disabled = subjects[0]?.id !== CURRENT;
       const next = JSON.stringify([
         solo,
+        channel === 'rgb',
         subjects.map(({ id, name, model, color }) => [id, name, model, color]),
       ]);
       if (next === structure) return;
       structure = next;
       values.clear();
-      rows.replaceChildren(...subjects.map((subject) => legendRow(subject, solo)));
+      rows.replaceChildren(
+        ...subjects.map((subject, i) => {
+          const mark = channel === 'rgb' ? swatch('currentColor', dashOf(i)) : swatch(subject.color, []);
+          return legendRow(subject, mark, solo);
+        }),
+      );
     },
     showValues(text, found, channel) {
       where.textContent = text;
@@ -102,4 +109,18 @@ export function createLegend(actions: LegendActions): Legend {
       }
     },
   };
+}
+
+/** The line as it is in the plot. */
+function swatch(color: string, dash: readonly number[]): SVGElement {
+  const svg = document.createElementNS(SVG, 'svg');
+  svg.setAttribute('class', 'bench-swatch');
+  svg.setAttribute('aria-hidden', 'true');
+  const line = document.createElementNS(SVG, 'path');
+  line.setAttribute('d', 'M0 6h24');
+  line.setAttribute('stroke', color);
+  line.setAttribute('stroke-width', '2.5');
+  line.setAttribute('stroke-dasharray', dash.join(' '));
+  svg.append(line);
+  return svg;
 }
