@@ -12,6 +12,8 @@ const AXES: Readonly<Record<Exclude<BenchView, 'image' | 'polar'>, { label: stri
   albedo: { label: 'θv', from: 0 },
 };
 
+/** So much room has each label of an angle. */
+const LABEL_WIDTH = 38;
 const MARGIN = { left: 62, right: 18, top: 14, bottom: 36 };
 
 function cartesianArea(width: number, height: number): Area {
@@ -118,7 +120,8 @@ function drawGrid(
     );
     painter.text(label, [area.x - 7, level], { color: colors.faint, align: 'right' });
   }
-  const step = area.width / (90 - from) > 3.4 ? 10 : area.width / (90 - from) > 1.6 ? 15 : 30;
+  const perDegree = area.width / (90 - from);
+  const step = [10, 15].find((degrees) => degrees * perDegree >= LABEL_WIDTH) ?? 30;
   for (let angle = Math.ceil(from / step) * step; angle <= 90; angle += step) {
     const at = Math.round(x(angle)) + 0.5;
     painter.line(
