@@ -1,5 +1,8 @@
+import { diffuseColor, vec4 } from 'three/tsl';
 import {
+  type BufferGeometry,
   Color,
+  Euler,
   type Node,
   type NodeBuilder,
   NodeMaterial,
@@ -36,6 +39,8 @@ import { dependsOnTangent, turnsWithTangent } from './tangent-dependence.ts';
  *     material.roughnessMap = texture;     // value = uniform x texel
  *     material.set('roughness', 0.5).setMap('roughness', texture, 'g');
  *
+ * Colours of vertices (`vertexColors`), instances and batches multiply the model's first colour parameter.
+ *
  * A parameter whose name three.js uses for something else (such as `name`) is reached by get() and set()
  * alone. Changing a value compiles nothing; adding or removing a texture, or choosing a term, does.
  */
@@ -63,6 +68,12 @@ export class BrdfMaterial extends NodeMaterial {
   emissiveIntensity = 1;
   emissiveMap: Texture | null = null;
   alphaMap: Texture | null = null;
+  lightMap: Texture | null = null;
+  lightMapIntensity = 1;
+  /** An environment of the material's own, instead of the scene's. */
+  envMap: Texture | null = null;
+  envMapIntensity = 1;
+  envMapRotation = new Euler();
 
   /** The directional albedo over n.v; null until the material is first built for light from everywhere. */
   albedoTable: AlbedoTable | null = null;
@@ -77,6 +88,8 @@ export class BrdfMaterial extends NodeMaterial {
     super();
     this.lights = true;
     this.model = model;
+    // three.js multiplies this by the colours of vertices and instances.
+    this.colorNode = vec4(1);
     hide(
       this,
       'model',
@@ -218,7 +231,7 @@ export class BrdfMaterial extends NodeMaterial {
 
   override setupEnvironment(builder: NodeBuilder): Node | null {
     const { scene } = builder as unknown as { scene: Scene | null };
-    return scene?.environment ? new EnvironmentLightNode(scene) : null;
+    return (this.envMap ?? scene?.environment) ? new EnvironmentLightNode() : null;
   }
 
   override setupMaterialLightings(builder: NodeBuilder): ReturnType<NodeMaterial['setupMaterialLightings']> {
@@ -232,14 +245,28 @@ export class BrdfMaterial extends NodeMaterial {
   override setupLightingModel(builder?: NodeBuilder): BrdfLightingModel {
     const { context } = builder as unknown as { context: { brdfEnvironment?: EnvironmentLightNode } };
     this.albedoTable ??= new AlbedoTable();
+    const tint = this.surfaceTint(builder as NodeBuilder);
+    // Whether the parameters are the same all over the surface.
+    const even = !tint && Object.keys(this.maps).length === 0;
     return new BrdfLightingModel({
       model: this.model,
       term: this.currentTerm,
-      parameters: parameterNodes(this.model, this.maps),
-      derived: Object.keys(this.maps).length === 0 ? derivedNodes(this.model, this.currentTerm) : null,
+      parameters: parameterNodes(this.model, this.maps, tint),
+      derived: even ? derivedNodes(this.model, this.currentTerm) : null,
       environment: context.brdfEnvironment ?? null,
-      hasTable: Object.keys(this.maps).length === 0,
+      hasTable: even,
     });
+  }
+
+  /** Colours of vertices, instances and batches, which multiply the model's first colour; null if there are none. */
+  private surfaceTint(builder: NodeBuilder): Node<'vec3'> | null {
+    const { object, geometry } = builder as unknown as {
+      object: { instanceColor?: unknown; isBatchedMesh?: boolean; _colorsTexture?: unknown };
+      geometry: BufferGeometry;
+    };
+    const vertices = this.vertexColors && geometry.hasAttribute('color');
+    const batches = object.isBatchedMesh && object._colorsTexture;
+    return vertices || object.instanceColor || batches ? (diffuseColor as unknown as Node<'vec4'>).rgb : null;
   }
 
   override copy(source: this): this {

@@ -31,7 +31,7 @@ const FACE_SIZE = 256;
 const cubes = new WeakMap<Renderer, WeakMap<Texture, { version: number; target: CubeRenderTarget }>>();
 
 /**
- * The scene's environment as a cube of radiance with mip levels: what filtered importance sampling reads
+ * The scene's environment, or the material's own, as a cube of radiance with mip levels: what filtered importance sampling reads
  * (J. Krivanek and M. Colbert, 2008, "Real-time Shading with Filtered Importance Sampling", CGF 27(4)).
  */
 export class EnvironmentLightNode extends LightingNode {
@@ -39,19 +39,21 @@ export class EnvironmentLightNode extends LightingNode {
     return 'EnvironmentLightNode';
   }
 
-  private readonly scene: Scene;
   private readonly cube = cubeTexture();
   private readonly faceSize = uniform(FACE_SIZE);
 
-  constructor(scene: Scene) {
+  constructor() {
     super();
-    this.scene = scene;
-    this.updateBeforeType = NodeUpdateType.RENDER;
+    this.updateBeforeType = NodeUpdateType.OBJECT;
   }
 
   override updateBefore(frame: NodeFrame): undefined {
-    const { renderer } = frame as unknown as { renderer: Renderer };
-    const { environment } = this.scene;
+    const { renderer, scene, material } = frame as unknown as {
+      renderer: Renderer;
+      scene: Scene | null;
+      material: { envMap?: Texture | null } | null;
+    };
+    const environment = material?.envMap ?? scene?.environment;
     if (!environment) return;
     const cube = radianceCube(renderer, environment);
     (this.cube as unknown as { value: Texture }).value = cube.texture;
@@ -59,7 +61,7 @@ export class EnvironmentLightNode extends LightingNode {
   }
 
   override setup(builder: NodeBuilder): null {
-    this.updateBefore({ renderer: builder.renderer } as unknown as NodeFrame);
+    this.updateBefore(builder as unknown as NodeFrame);
     return null;
   }
 

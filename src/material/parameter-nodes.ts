@@ -18,11 +18,20 @@ export interface ParameterMap {
  *
  * The nodes refer to the material by the path of a property, not by object: three.js then shares the
  * compiled shader among all materials of the model, and a changed value is a changed uniform.
+ *
+ * @param tint multiplies the model's first colour
  */
-export function parameterNodes(model: Model, maps: Readonly<Record<string, ParameterMap>>): ParameterNodes {
-  return Object.fromEntries(
+export function parameterNodes(
+  model: Model,
+  maps: Readonly<Record<string, ParameterMap>>,
+  tint: Node<'vec3'> | null = null,
+): ParameterNodes {
+  const nodes = Object.fromEntries(
     model.parameters.map((parameter) => [parameter.name, parameterNode(parameter, maps[parameter.name])]),
   );
+  const tinted = model.parameters.find(({ type }) => type === 'color');
+  if (tint && tinted) nodes[tinted.name] = (nodes[tinted.name] as Node<'vec3'>).mul(tint);
+  return nodes;
 }
 
 /** Nodes for what the material derives from its parameters (BrdfMaterial.derived), in its order. */

@@ -126,3 +126,16 @@ describe.each(Object.keys(CASES))('%s', (name) => {
   test('under a sky that brightens upward reflects what quadrature says', () =>
     expectReflected(name, 0.04, (l) => 1 + 0.8 * l[1], { environment: environmentOf((y) => 1 + 0.8 * y) }));
 });
+
+test('a material may have an environment of its own, turned and scaled', async () => {
+  const environment = environmentOf((y) => 1 + 0.8 * y);
+  const material = new BrdfMaterial(modelNamed('principled'), { roughness: 0.3 });
+  const fromScene = await drawSphere(renderer, geometry, material, [], environment);
+  const own = new BrdfMaterial(modelNamed('principled'), { roughness: 0.3 });
+  own.envMap = environment;
+  expect(await drawSphere(renderer, geometry, own, [])).toEqual(fromScene);
+  own.envMapIntensity = 2;
+  const bright = await drawSphere(renderer, geometry, own, []);
+  const middle = (SIZE / 2) * SIZE * 4 + (SIZE / 2) * 4;
+  expect((bright[middle] as number) / (fromScene[middle] as number)).toBeCloseTo(2, 3);
+});

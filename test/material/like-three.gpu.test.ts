@@ -17,6 +17,7 @@ interface Feature {
   readonly set?: (material: Either) => void;
   readonly geometry?: () => THREE.BufferGeometry;
   readonly shadow?: boolean;
+  readonly instanced?: boolean;
 }
 
 /** A texture of noise, so that no two texels agree by accident. */
@@ -77,13 +78,35 @@ const FEATURES: Readonly<Record<string, Feature>> = {
   'flat shading': { set: (m) => Object.assign(m, { flatShading: true }) },
   'no normals': { geometry: withoutNormals },
   shadows: { shadow: true },
+  'vertex colours': {
+    set: (m) => {
+      m.vertexColors = true;
+    },
+    geometry: () => {
+      const geometry = sphere();
+      const colors = Float32Array.from(
+        { length: geometry.getAttribute('position').count * 3 },
+        (_, i) => (i % 7) / 6,
+      );
+      return geometry.setAttribute('color', new THREE.BufferAttribute(colors, 3));
+    },
+  },
+  'colours of instances': { instanced: true },
+  'a light map': {
+    set: (m) => {
+      const lightMap = grey();
+      lightMap.channel = 0;
+      Object.assign(m, { lightMap, lightMapIntensity: 0.7 });
+    },
+  },
 };
 
-async function draw(material: Either, { set, geometry = sphere, shadow = false }: Feature) {
+async function draw(material: Either, feature: Feature) {
+  const { set, geometry = sphere, shadow = false, instanced = false } = feature;
   set?.(material);
   const light = new THREE.DirectionalLight(0xffffff, 3);
   light.position.set(1, 2, 2);
-  const mesh = new THREE.Mesh(geometry(), material);
+  const mesh = instanced ? twoInstances(geometry(), material) : new THREE.Mesh(geometry(), material);
   const scene = new THREE.Scene();
   scene.add(light, new THREE.AmbientLight(0xffffff, 0.3), mesh);
   if (shadow) {
@@ -95,6 +118,15 @@ async function draw(material: Either, { set, geometry = sphere, shadow = false }
     scene.add(caster);
   }
   return drawScene(renderer, scene);
+}
+
+function twoInstances(geometry: THREE.BufferGeometry, material: Either): THREE.InstancedMesh {
+  const mesh = new THREE.InstancedMesh(geometry, material, 2);
+  for (const i of [0, 1]) {
+    mesh.setMatrixAt(i, new THREE.Matrix4().makeScale(0.5, 0.5, 0.5).setPosition(i - 0.5, 0, 0));
+    mesh.setColorAt(i, new THREE.Color(i, 0.5, 1 - i));
+  }
+  return mesh;
 }
 
 const brdf = () => new BrdfMaterial(modelNamed('lambert'), { albedo: [0.8, 0.5, 0.2] });
