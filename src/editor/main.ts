@@ -1,6 +1,7 @@
 /** The page: puts the document, the panels and the viewport together and opens the first scene. */
 import { createRenderer, type RealtimeRenderer } from '../realtime/renderer.ts';
 import { AssetLoader } from '../scene/assets.ts';
+import { addLight, addObject } from '../scene/commands.ts';
 import { createDocument, serializeDocument } from '../scene/document.ts';
 import { SceneMirror } from '../scene/mirror.ts';
 import { pageAssets } from '../scene/page-assets.ts';
@@ -170,7 +171,12 @@ async function replaceDocument(next: Document): Promise<boolean> {
 }
 
 function newScene(): void {
-  void replaceDocument(createDocument());
+  // Not an empty void: something to look at, and light to see it by.
+  const fresh = new DocumentStore(createDocument());
+  addLight(fresh, 'ambient');
+  addLight(fresh, 'directional');
+  addObject(fresh, 'sphere');
+  void replaceDocument(fresh.document);
 }
 
 async function openShipped(name: string): Promise<void> {

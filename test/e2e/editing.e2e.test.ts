@@ -287,7 +287,9 @@ describe('saving', () => {
     expect(await page.document()).toEqual(changed);
     await page.menu('File', 'New');
     await page.page.click('.confirm >> text=Discard changes');
-    await page.page.waitForFunction('Object.keys(irradia.store.document.objects).length === 0');
-    expect((await page.document()).name).toBe('Untitled');
+    await page.page.waitForFunction('irradia.store.document.name === "Untitled"');
+    const { objects, lights } = await page.document();
+    expect(Object.keys(objects)).toHaveLength(1);
+    expect(Object.keys(lights)).toHaveLength(2);
   });
 });
