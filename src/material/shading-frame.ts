@@ -53,7 +53,9 @@ export function shadingFrame(builder: NodeBuilder, model: Model): ShadingFrame {
       const hasTangents = geometry.hasAttribute('tangent');
       X.assign(orthogonalTangent(N, hasTangents ? (tangentView as Vec3) : aroundAxis(N)));
       // Mirrored texture coordinates turn the bitangent around.
-      const handedness = hasTangents ? (attribute('tangent', 'vec4') as Node<'vec4'>).w : float(1);
+      const handedness = hasTangents
+        ? (attribute('tangent', 'vec4') as Node<'vec4'>).w.toVarying('brdfHandedness')
+        : float(1);
       Y.assign(cross(N, X).mul(handedness));
     });
   }
