@@ -51,7 +51,7 @@ export function shadingFrame(builder: NodeBuilder, model: Model): ShadingFrame {
     // Most materials are isotropic at most times: they need not pay for the others.
     If(tangentMatters.greaterThan(0.5), () => {
       const hasTangents = geometry.hasAttribute('tangent');
-      X.assign(orthogonalTangent(N, hasTangents ? (tangentView as Vec3) : aroundAxis(N)));
+      X.assign(orthogonalTangent(N, hasTangents ? (tangentView as Vec3) : aroundAxis(N), X));
       // Mirrored texture coordinates turn the bitangent around.
       const handedness = hasTangents
         ? (attribute('tangent', 'vec4') as Node<'vec4'>).w.toVarying('brdfHandedness')
@@ -89,23 +89,19 @@ export function ensureTangents(geometry: BufferGeometry): void {
  * A unit vector orthogonal to N, without branches: T. Duff et al., 2017, "Building an Orthonormal Basis,
  * Revisited", JCGT 6(1), listing 3.
  */
-const ANY_TANGENT = `
+const anyTangent = glslFunction(`
   vec3 anyTangent(vec3 N) {
     float s = N.z < 0.0 ? -1.0 : 1.0;
     float a = -1.0 / (s + N.z);
     return vec3(1.0 + s * N.x * N.x * a, s * N.x * N.y * a, -s * N.x);
   }
-`;
-const anyTangent = glslFunction(ANY_TANGENT) as unknown as (N: Vec3) => Vec3;
+`) as unknown as (N: Vec3) => Vec3;
 
-/** The part of a tangent that is orthogonal to N, as a unit vector; any, where there is none. */
+/** The part of T that is orthogonal to N, as a unit vector; X where there is none. */
 const orthogonalTangent = glslFunction(`
-  ${ANY_TANGENT}
-  vec3 orthogonalTangent(vec3 N, vec3 T) {
+  vec3 orthogonalTangent(vec3 N, vec3 T, vec3 X) {
     vec3 tangent = T - N * dot(N, T);
     float length2 = dot(tangent, tangent);
-    // Where texture coordinates do not vary there is no tangent.
-    if (!(length2 > 1e-12)) return anyTangent(N);
-    return tangent * inversesqrt(length2);
+    return length2 > 1e-12 ? tangent * inversesqrt(length2) : X;
   }
-`) as unknown as (N: Vec3, T: Vec3) => Vec3;
+`) as unknown as (N: Vec3, T: Vec3, X: Vec3) => Vec3;
