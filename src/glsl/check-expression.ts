@@ -1,10 +1,13 @@
 import { BrdfError, type SourcePlace } from '../brdf/error.ts';
 import type { Expression, TypeRef } from './ast.ts';
-import { isBuiltin, resolveBuiltin } from './builtins.ts';
-import { checkConstruct, convert, convertBase, fold, literal } from './construct.ts';
+import { isBuiltin } from './builtins.ts';
+import { callFunction } from './calls.ts';
+import { checkConstruct, convert, fold, literal } from './construct.ts';
 import { evaluateExpression } from './float64.ts';
-import type { ArithmeticOperator, BinaryOperator, Expr, FunctionIR, Variable } from './ir.ts';
+import type { ArithmeticOperator, BinaryOperator, Expr } from './ir.ts';
+import { checkBinary, checkUnary, commonType } from './operators.ts';
 import type { Scope } from './scope.ts';
+import { checkTarget } from './target.ts';
 import {
   arrayOf,
   BOOL,
@@ -13,19 +16,16 @@ import {
   FLOAT,
   INT,
   isNumeric,
-  matrix,
   type ScalarName,
   scalarOf,
   type Type,
   typeNamed,
   UINT,
   vector,
-  widerScalar,
 } from './types.ts';
 
 /** Component names: position, colour and texture coordinates, each a set of its own. */
 const COMPONENTS = ['xyzw', 'rgba', 'stpq'];
-const BITWISE = new Set(['&', '|', '^', '<<', '>>']);
 
 /** Resolves and types one expression. @throws BrdfError where a name is unknown or types do not fit */
 export function checkExpression(e: Expression, scope: Scope): Expr {
@@ -181,89 +181,6 @@ function checkName(name: string, place: SourcePlace, scope: Scope): Expr {
   return { kind: 'variable', place, type: found.type, constant: false, variable: found };
 }
 
-function checkUnary(operator: string, operand: Expr, place: SourcePlace): Expr {
-  const { type, constant } = operand;
-  if (operator === '!') {
-    if (type !== BOOL) throw new BrdfError(place, `'!' on a ${type.name}`, 'a bool');
-    return fold({ kind: 'unary', place, type, constant, operator, operand });
-  }
-  const fits = operator === '~' ? scalarOf(type) === 'int' || scalarOf(type) === 'uint' : isNumeric(type);
-  if (!fits) throw new BrdfError(place, `'${operator}' on a ${type.name}`, 'a number');
-  if (operator === '+') return operand;
-  return fold({ kind: 'unary', place, type, constant, operator: operator as '-' | '~', operand });
-}
-
-export function checkBinary(operator: BinaryOperator, left: Expr, right: Expr, place: SourcePlace): Expr {
-  const constant = left.constant && right.constant;
-  const wrong = (expected: string): never => {
-    throw new BrdfError(place, `${left.type.name} ${operator} ${right.type.name}`, expected);
-  };
-  const make = (type: Type, l: Expr, r: Expr): Expr =>
-    fold({ kind: 'binary', place, type, constant, operator, left: l, right: r });
-  switch (operator) {
-    case '&&':
-    case '||':
-    case '^^':
-      if (left.type !== BOOL || right.type !== BOOL) wrong('two bools');
-      return make(BOOL, left, right);
-    case '==':
-    case '!=':
-    case '<':
-    case '>':
-    case '<=':
-    case '>=': {
-      const equality = operator === '==' || operator === '!=';
-      const common = commonType(left.type, right.type);
-      if (!common) return wrong('two values of one type');
-      if (!equality && (common.kind !== 'scalar' || common === BOOL))
-        wrong('two numbers (lessThan() and its like compare vectors)');
-      if (common.kind !== 'scalar' && common.kind !== 'vector') wrong('numbers, bools or vectors');
-      return make(BOOL, convert(left, common), convert(right, common));
-    }
-    default:
-      return checkArithmetic(operator, left, right, wrong, make);
-  }
-}
-
-function checkArithmetic(
-  operator: ArithmeticOperator,
-  left: Expr,
-  right: Expr,
-  wrong: (expected: string) => never,
-  make: (type: Type, l: Expr, r: Expr) => Expr,
-): Expr {
-  if (!isNumeric(left.type) || !isNumeric(right.type)) wrong('two numbers');
-  const base = widerScalar(scalarOf(left.type) as ScalarName, scalarOf(right.type) as ScalarName);
-  if ((operator === '%' || BITWISE.has(operator)) && base === 'float')
-    wrong('two integers (mod() serves floats)');
-  const l = convertBase(left, base);
-  const r = convertBase(right, base);
-  const [a, b] = [l.type, r.type];
-  if (a.kind === 'matrix' || b.kind === 'matrix') {
-    if (operator === '*') {
-      if (a.kind === 'matrix' && b.kind === 'matrix' && a.columns === b.rows)
-        return make(matrix(b.columns, a.rows), l, r);
-      if (a.kind === 'matrix' && b.kind === 'vector' && a.columns === b.size)
-        return make(vector('float', a.rows), l, r);
-      if (a.kind === 'vector' && b.kind === 'matrix' && a.size === b.rows)
-        return make(vector('float', b.columns), l, r);
-      if (a.kind === 'scalar') return make(b, l, r);
-    }
-    if (a.kind === 'matrix' && b.kind === 'scalar' && (operator === '*' || operator === '/'))
-      return make(a, l, r);
-    if (a === b && (operator === '+' || operator === '-')) return make(a, l, r);
-    return wrong('operands whose sizes fit');
-  }
-  if (a.kind === 'scalar') return make(b, l, r);
-  if (b.kind === 'scalar' || a === b) return make(a, l, r);
-  return wrong('operands of one size');
-}
-
-/** The type to which both convert implicitly. */
-export function commonType(a: Type, b: Type): Type | null {
-  return convertsImplicitly(a, b) ? b : convertsImplicitly(b, a) ? a : null;
-}
-
 function checkTernary(e: Extract<Expression, { kind: 'ternary' }>, scope: Scope): Expr {
   const test = checkExpression(e.test, scope);
   if (test.type !== BOOL) throw new BrdfError(test.place, `a ${test.type.name} as a condition`, 'a bool');
@@ -281,30 +198,6 @@ function checkTernary(e: Extract<Expression, { kind: 'ternary' }>, scope: Scope)
     yes: convert(yes, type),
     no: convert(no, type),
   });
-}
-
-/** Checks that an expression can be assigned to, and marks its variable. */
-export function checkTarget(target: Expr): Expr {
-  let root = target;
-  while (root.kind === 'swizzle' || root.kind === 'index' || root.kind === 'field') {
-    if (root.kind === 'swizzle' && new Set(root.components).size !== root.components.length) {
-      throw new BrdfError(root.place, 'a component is assigned twice', 'different components');
-    }
-    root = root.object;
-  }
-  if (root.kind !== 'variable' || root.variable.role === 'parameter' || root.variable.role === 'constant') {
-    const what =
-      root.kind === 'variable'
-        ? `'${root.variable.name}' (a ${root.variable.role})`
-        : root.kind === 'literal'
-          ? 'a constant'
-          : root.kind === 'call'
-            ? `'${root.callee.name}'`
-            : 'this';
-    throw new BrdfError(target.place, `${what} cannot be assigned`, 'a local variable');
-  }
-  root.variable.assigned = true;
-  return target;
 }
 
 function checkAssign(e: Extract<Expression, { kind: 'assign' }>, scope: Scope): Expr {
@@ -426,99 +319,5 @@ function checkCall(
       place,
     );
   }
-  const user = chooseOverload(scope.functions.get(callee.name) ?? [], args, callee.name, place);
-  if (user) {
-    const converted = user.arguments.map(({ variable, qualifier }, i) => {
-      const arg = args[i] as Expr;
-      return qualifier === 'in' ? convert(arg, variable.type) : checkTarget(arg);
-    });
-    return {
-      kind: 'call',
-      place,
-      type: user.result,
-      constant: false,
-      callee: scope.called(user),
-      args: converted,
-    };
-  }
-  if (callee.name === 'fetchData' && scope.table) return fetchData(scope.table, args, place, scope);
-  const builtin = resolveBuiltin(
-    callee.name,
-    args.map((arg) => arg.type),
-  );
-  if (builtin) {
-    const converted = args.map((arg, i) => convert(arg, builtin.args[i] as Type));
-    return fold({
-      kind: 'builtin',
-      place,
-      type: builtin.result,
-      constant: args.every((arg) => arg.constant),
-      name: callee.name,
-      args: converted,
-    });
-  }
-  const types = args.map((arg) => arg.type.name).join(', ');
-  const known = scope.functions.get(callee.name)?.map(signature) ?? [];
-  throw new BrdfError(
-    place,
-    `there is no function ${callee.name}(${types})`,
-    known.length > 0
-      ? known.join(' or ')
-      : isBuiltin(callee.name)
-        ? 'arguments that GLSL defines for it'
-        : undefined,
-  );
-}
-
-/** vec3 fetchData(int i): the i-th triple of the model's measured data. */
-function fetchData(table: Variable, args: readonly Expr[], place: SourcePlace, scope: Scope): Expr {
-  const [index] = args;
-  if (args.length !== 1 || index?.type !== INT) {
-    throw new BrdfError(place, `fetchData(${args.map((arg) => arg.type.name).join(', ')})`, 'fetchData(int)');
-  }
-  scope.used.add(table);
-  const data: Expr = { kind: 'variable', place, type: table.type, constant: false, variable: table };
-  return {
-    kind: 'builtin',
-    place,
-    type: vector('float', 3),
-    constant: false,
-    name: 'fetchData',
-    args: [data, index],
-  };
-}
-
-function chooseOverload(
-  overloads: readonly FunctionIR[],
-  args: readonly Expr[],
-  name: string,
-  place: SourcePlace,
-): FunctionIR | null {
-  const ranked = overloads
-    .filter(
-      (f) =>
-        f.arguments.length === args.length &&
-        f.arguments.every(({ variable, qualifier }, i) =>
-          qualifier === 'in'
-            ? convertsImplicitly((args[i] as Expr).type, variable.type)
-            : (args[i] as Expr).type === variable.type,
-        ),
-    )
-    .map((f) => ({
-      f,
-      conversions: f.arguments.filter(({ variable }, i) => (args[i] as Expr).type !== variable.type).length,
-    }))
-    .sort((a, b) => a.conversions - b.conversions);
-  const [best, next] = ranked;
-  if (best && next && best.conversions === next.conversions)
-    throw new BrdfError(
-      place,
-      `this call of ${name} fits two overloads`,
-      `${signature(best.f)} or ${signature(next.f)} alone`,
-    );
-  return best?.f ?? null;
-}
-
-function signature(f: FunctionIR): string {
-  return `${f.name}(${f.arguments.map(({ variable }) => (variable as Variable).type.name).join(', ')})`;
+  return callFunction(callee.name, args, place, scope);
 }

@@ -1,6 +1,6 @@
-import { checkBinary } from './check-expression.ts';
 import { evaluateExpression } from './float64.ts';
 import type { Expr, Variable } from './ir.ts';
+import { checkBinary } from './operators.ts';
 
 const MAX_TURNS = 4096;
 const COMPARISONS = new Set(['<', '>', '<=', '>=', '!=']);
