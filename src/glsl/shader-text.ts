@@ -38,19 +38,6 @@ export function emitFunction(prefix: string, f: FunctionIR, language: ShadingLan
   return (language === 'wgsl' ? new WgslEmitter(f, prefix) : new GlslEmitter(f, prefix)).emit();
 }
 
-/** A function and all that it needs, as the text of a module: for people to read and for tests. */
-export function emitModule(model: Model, roots: readonly FunctionIR[], language: ShadingLanguage): string {
-  const parts = new Map<string, string>();
-  const visit = (f: FunctionIR): void => {
-    for (const callee of f.calls) visit(callee);
-    const { name, code, needs } = emitFunction(shaderPrefix(model), f, language);
-    for (const [need, text] of needs) parts.set(need, text);
-    if (!parts.has(name)) parts.set(name, code);
-  };
-  for (const root of roots) visit(root);
-  return [...parts.values()].join('\n');
-}
-
 /** Fowler, Noll and Vo's hash, 1a, twice 32 bits: names need to differ, not to be secret. */
 function fnv1a(text: string): string {
   const hash = (seed: number) => {
