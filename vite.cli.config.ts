@@ -1,15 +1,19 @@
 import { defineConfig } from 'vite';
-import { repository } from './vite.shared.config.ts';
+import { alias, repository } from './vite.shared.config.ts';
 
 /** The command line: plain ES modules for Node, one chunk per command, dependencies left outside. */
 export default defineConfig({
   root: repository,
   publicDir: false,
   // The environments and Suzanne are data, not code to share: only what is used goes in, by parts.
-  ssr: { noExternal: ['@pmndrs/assets'] },
+  // three-mesh-bvh asks for plain three, which would be a second renderer.
+  resolve: { alias },
+  ssr: { noExternal: ['@pmndrs/assets', 'three-mesh-bvh'] },
   build: {
     target: 'node20',
-    ssr: `${repository}src/cli/main.ts`,
+    // three-mesh-bvh asks for plain three, which would be a second renderer.
+  resolve: { alias },
+  ssr: `${repository}src/cli/main.ts`,
     outDir: `${repository}dist/cli`,
     emptyOutDir: true,
     minify: false,
