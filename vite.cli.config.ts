@@ -5,15 +5,13 @@ import { alias, repository } from './vite.shared.config.ts';
 export default defineConfig({
   root: repository,
   publicDir: false,
-  // The environments and Suzanne are data, not code to share: only what is used goes in, by parts.
-  // three-mesh-bvh asks for plain three, which would be a second renderer.
   resolve: { alias },
+  // The environments and Suzanne are data, not code to share: only what is used goes in, by parts.
+  // three-mesh-bvh asks for plain three, which would be a second renderer beside three/webgpu.
   ssr: { noExternal: ['@pmndrs/assets', 'three-mesh-bvh'] },
   build: {
     target: 'node20',
-    // three-mesh-bvh asks for plain three, which would be a second renderer.
-  resolve: { alias },
-  ssr: `${repository}src/cli/main.ts`,
+    ssr: `${repository}src/cli/main.ts`,
     outDir: `${repository}dist/cli`,
     emptyOutDir: true,
     minify: false,
