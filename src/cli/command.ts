@@ -32,14 +32,14 @@ export function parseCall(command: Command, words: readonly string[]): Call | 'h
   let parsed: ReturnType<typeof parseArgs>;
   try {
     parsed = parseArgs({
-      args: [...words],
+      args: joinNegative(words, command.options),
       options: { ...command.options, help },
       allowPositionals: true,
       strict: true,
     });
   } catch (error) {
     // Node adds advice on how to escape a dash, which is of no use to most.
-    const [problem = ''] = (error as Error).message.split('. ');
+    const [problem = ''] = (error as Error).message.split(/\.\s/);
     throw new UsageError(`${name}: ${problem}; \`irradia ${name} --help\` lists the options`);
   }
   const { values, positionals } = parsed;
@@ -49,6 +49,21 @@ export function parseCall(command: Command, words: readonly string[]): Call | 'h
     throw new UsageError(`${name}: expected \`irradia ${command.usage}\``);
   }
   return { arguments: positionals, options: values as Call['options'] };
+}
+
+/**
+ * `--size -3x10` as `--size=-3x10`, so that the command can say what is wrong with the value; Node takes a word
+ * that begins with a dash for an option and refuses it.
+ */
+function joinNegative(words: readonly string[], options: Command['options']): string[] {
+  const joined: string[] = [];
+  for (const word of words) {
+    const option = joined.at(-1)?.replace(/^--/, '') ?? '';
+    if (/^-\d/.test(word) && joined.at(-1)?.startsWith('--') && options[option]?.type === 'string')
+      joined.push(`${joined.pop()}=${word}`);
+    else joined.push(word);
+  }
+  return joined;
 }
 
 export function helpText({ usage, summary, details }: Command): string {

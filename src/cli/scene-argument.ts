@@ -1,8 +1,9 @@
-import { existsSync, readFileSync } from 'node:fs';
+import { existsSync } from 'node:fs';
 import { loadScene, sceneNames } from '../../scenes/index.ts';
 import { parseDocument } from '../scene/document.ts';
 import type { Document } from '../scene/schema.ts';
 import { CliError } from './command.ts';
+import { readInput } from './files.ts';
 
 export interface SceneArgument {
   document: Document;
@@ -13,7 +14,8 @@ export interface SceneArgument {
 /** The document that SCENE means: one that ships, by its name, or a file. */
 export async function sceneArgument(word: string): Promise<SceneArgument> {
   if (sceneNames.includes(word)) return { document: await loadScene(word), shipped: word };
-  if (existsSync(word)) return { document: parseDocument(readFileSync(word, 'utf8'), word), shipped: null };
+  if (existsSync(word))
+    return { document: parseDocument(readInput(word).toString('utf8'), word), shipped: null };
   throw new CliError(
     `there is no scene '${word}' and no such file; scenes that ship: ${sceneNames.join(', ')}`,
   );

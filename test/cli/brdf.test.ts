@@ -95,6 +95,11 @@ describe('brdf show', () => {
     expect(stderr).toMatch(/^irradia: .*half\.brdf\.broken\.brdf:3: .*\n$/);
   });
 
+  test('says that a folder is no model', async () => {
+    const { code, stderr } = await irradia(['brdf', 'show', tmpdir()]);
+    expect([code, stderr]).toEqual([1, `irradia: ${tmpdir()}: is a folder; expected a file\n`]);
+  });
+
   test('names the models when there is none of that name', async () => {
     const { code, stderr } = await irradia(['brdf', 'show', 'nosuch']);
     expect(code).toBe(1);
@@ -110,7 +115,7 @@ describe('brdf eval', () => {
       up,
       { ...up, parameters: { gain: 2, tint: [1, 2, 4] } },
       { ...up, parameters: { on: false } },
-      { ...up, v: [0, 3, 4] },
+      { ...up, v: [0, 0.71, 0.71] },
     ];
     const text = input.map((query) => `${JSON.stringify(query)}\n`).join('');
     const { code, stdout, stderr } = await irradia(['brdf', 'eval', file, '--backend', backend], text);
@@ -131,6 +136,7 @@ describe('brdf eval', () => {
       '',
       JSON.stringify({ l: [0, 0, 1] }),
       JSON.stringify({ ...up, l: [0, 0, 0] }),
+      JSON.stringify({ ...up, v: [0, 3, 4] }),
       JSON.stringify({ ...up, l: [0, 0, '1'] }),
       JSON.stringify({ ...up, parameters: { rouhgness: 1 } }),
       JSON.stringify({ ...up, parameters: { tint: 1 } }),
@@ -143,8 +149,10 @@ describe('brdf eval', () => {
     expect([answers[0], answers.at(-1)]).toEqual([{ f: [0.5, 0.25, 0.125] }, { f: [0.5, 0.25, 0.125] }]);
     for (const answer of answers.slice(1, -1)) expect(answer).toEqual({ error: expect.any(String) });
     expect(answers[2].error).toContain('expected an object');
-    expect(answers[7].error).toContain('rouhgness');
-    expect(answers[9].error).toContain('unknown field "light"');
+    expect(answers[5].error).toBe('l: the length is 0; expected a unit vector');
+    expect(answers[6].error).toBe('v: the length is 5; expected a unit vector');
+    expect(answers[8].error).toContain('rouhgness');
+    expect(answers[10].error).toContain('unknown field "light"');
     expect(code).toBe(1);
   });
 

@@ -37,6 +37,12 @@ test.each([
   [['render', 'lambert'], 'render: expected -o FILE.png or -o FILE.exr'],
   [['render', 'lambert', '-o', 'a.jpg'], '-o a.jpg: expected a .png or an .exr'],
   [['render', 'lambert', '-o', 'a.png', '--size', '10'], '--size 10: expected WIDTHxHEIGHT'],
+  [['render', 'lambert', '-o', 'a.png', '--size', '-3x10'], '--size -3x10: expected WIDTHxHEIGHT'],
+  [
+    ['render', 'lambert', '-o', 'a.png', '--size', '--device', 'gpu'],
+    "Option '--size' argument is ambiguous;",
+  ],
+  [['serve', '--port', '-1'], '--port -1: expected 0 to 65535'],
   [['serve', '--port', 'http'], '--port http: expected 0 to 65535'],
 ])('%j is refused', async (words, problem) => {
   const { code, stdout, stderr } = await irradia(words);
@@ -49,6 +55,9 @@ test.each([
   [['redner'], "there is no scene 'redner'"],
   [['render', 'nosuch', '-o', 'a.png'], "there is no scene, model or file 'nosuch'"],
   [['render', 'lambert', '-o', 'no/such/folder/a.png'], 'there is no folder no/such/folder'],
+  [['render', 'lambert', '-o', 'README.md/a.png'], 'there is no folder README.md'],
+  [['render', 'models', '-o', 'a.png'], 'models: is a folder; expected a file'],
+  [['brdf', 'eval', 'models'], 'models: is a folder; expected a file'],
 ])('%j fails', async (words, problem) => {
   const { code, stdout, stderr } = await irradia(words);
   expect([code, stdout]).toEqual([1, '']);

@@ -1,10 +1,11 @@
-import { existsSync, readFileSync, writeFileSync } from 'node:fs';
-import { dirname, extname } from 'node:path';
+import { existsSync } from 'node:fs';
+import { extname } from 'node:path';
 import { modelSources, shippedModels } from '../../../models/index.ts';
 import { sceneNames } from '../../../scenes/index.ts';
 import { measuredAsset } from '../../scene/measured.ts';
 import type { Document } from '../../scene/schema.ts';
 import { CliError, type Command, UsageError } from '../command.ts';
+import { checkOutput, readInput, writeOutput } from '../files.ts';
 import type { DeviceChoice } from '../gpu.ts';
 import { isMeasured, modelArgument } from '../model-argument.ts';
 import { packageVersion } from '../package-root.ts';
@@ -40,8 +41,7 @@ const command: Command = {
     if (!DEVICES.includes(device as DeviceChoice)) {
       throw new UsageError(`--device ${device}: expected ${DEVICES.join(', ')}`);
     }
-    if (!existsSync(dirname(output)))
-      throw new CliError(`-o ${output}: there is no folder ${dirname(output)}`);
+    checkOutput(output, `-o ${output}`);
     const { width, height } = parseSize(size as string);
     const document = await documentFor(word);
 
@@ -55,7 +55,7 @@ const command: Command = {
       device: device as DeviceChoice,
       software,
     });
-    writeFileSync(output, file);
+    writeOutput(output, `-o ${output}`, file);
     return 0;
   },
 };
@@ -76,10 +76,10 @@ async function documentFor(word: string): Promise<Document> {
     return previewDocument(word, { source: modelSources.get(`${word}.brdf`) as string }, word);
   if (word.endsWith('.brdf')) {
     const { name } = modelArgument(word);
-    return previewDocument(name, { source: readFileSync(word, 'utf8') }, word);
+    return previewDocument(name, { source: readInput(word).toString('utf8') }, word);
   }
   if (isMeasured(word) && existsSync(word)) {
-    const measurements = measuredAsset(readFileSync(word), word);
+    const measurements = measuredAsset(readInput(word), word);
     return previewDocument(measurements.name, { measurements }, word);
   }
   if (existsSync(word)) return (await sceneArgument(word)).document;

@@ -38,13 +38,19 @@ function isObject(value: unknown): value is Record<string, unknown> {
   return typeof value === 'object' && value !== null && !Array.isArray(value);
 }
 
-/** Models expect unit vectors; decimals that a person typed are not quite. */
+/** How far from 1 a direction's length may be: components of two decimals, such as .58 .58 .57, are within. */
+const LENGTH_TOLERANCE = 0.01;
+
+/**
+ * Models expect unit vectors, and decimals that a person typed are not quite: those are normalised. What is
+ * further off is no direction but a mistake, whose value would be that of another direction.
+ */
 function direction(value: unknown, name: string): Vector3 {
   const isVector = Array.isArray(value) && value.length === 3 && value.every((x) => Number.isFinite(x));
   if (!isVector) throw new Error(`${name}: expected three finite numbers`);
   const [x, y, z] = value as [number, number, number];
   const length = Math.hypot(x, y, z);
-  if (!(length > 0 && length < Number.POSITIVE_INFINITY))
-    throw new Error(`${name}: a direction has a length`);
+  if (!(Math.abs(length - 1) <= LENGTH_TOLERANCE))
+    throw new Error(`${name}: the length is ${Number(length.toPrecision(4))}; expected a unit vector`);
   return Math.abs(length - 1) < 1e-12 ? [x, y, z] : [x / length, y / length, z / length];
 }
