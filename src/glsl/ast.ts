@@ -67,6 +67,8 @@ export type Statement = { readonly place: SourcePlace } & (
       readonly step: Expression | null;
       readonly body: Statement;
     }
+  /** Kernels only. */
+  | { readonly kind: 'while'; readonly test: Expression; readonly body: Statement }
   | { readonly kind: 'return'; readonly value: Expression | null }
   | { readonly kind: 'break' }
   | { readonly kind: 'continue' }

@@ -3,11 +3,13 @@ import {
   componentCount,
   convertsImplicitly,
   FLOAT,
+  INT,
   isNumeric,
   matrix,
   type ScalarName,
   scalarOf,
   type Type,
+  VOID,
   vector,
   widerScalar,
 } from './types.ts';
@@ -85,6 +87,36 @@ export interface ResolvedBuiltin {
 
 export function isBuiltin(name: string): boolean {
   return PATTERNS.has(name) || name === 'transpose' || name === 'determinant';
+}
+
+/** What only kernels may call: the scene's memory, the film and the bits of numbers (docs/decisions/path-tracer.md). */
+const MEMORY: Record<string, ResolvedBuiltin> = {
+  loadUint4: { args: [INT], result: vector('uint', 4) },
+  loadFloat4: { args: [INT], result: vector('float', 4) },
+  loadUint: { args: [INT], result: vector('uint', 1) },
+  loadFloat: { args: [INT], result: FLOAT },
+  filmLoad: { args: [INT], result: vector('float', 4) },
+  filmStore: { args: [INT, vector('float', 4)], result: VOID },
+};
+const BITS: Record<string, { from: ScalarName; to: ScalarName }> = {
+  floatBitsToUint: { from: 'float', to: 'uint' },
+  floatBitsToInt: { from: 'float', to: 'int' },
+  uintBitsToFloat: { from: 'uint', to: 'float' },
+  intBitsToFloat: { from: 'int', to: 'float' },
+  bitfieldReverse: { from: 'uint', to: 'uint' },
+};
+
+/** As resolveBuiltin(), for what a kernel may call beyond GLSL's own. */
+export function resolveKernelBuiltin(name: string, args: readonly Type[]): ResolvedBuiltin | null {
+  const memory = MEMORY[name];
+  if (memory) {
+    const fits = args.length === memory.args.length && args.every((type, i) => type === memory.args[i]);
+    return fits ? memory : null;
+  }
+  const bits = BITS[name];
+  const [type] = args;
+  if (!bits || !type || args.length !== 1 || scalarOf(type) !== bits.from) return null;
+  return { args: [type], result: vector(bits.to, componentCount(type)) };
 }
 
 /** The overload of a built-in function that these arguments choose, or null if there is none. */

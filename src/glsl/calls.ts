@@ -1,5 +1,5 @@
 import { BrdfError, type SourcePlace } from '../brdf/error.ts';
-import { isBuiltin, resolveBuiltin } from './builtins.ts';
+import { isBuiltin, resolveBuiltin, resolveKernelBuiltin } from './builtins.ts';
 import { convert, fold } from './construct.ts';
 import type { Expr, FunctionIR, Variable } from './ir.ts';
 import type { Scope } from './scope.ts';
@@ -29,10 +29,10 @@ export function callFunction(name: string, args: readonly Expr[], place: SourceP
     };
   }
   if (name === 'fetchData' && scope.table) return fetchData(scope.table, args, place, scope);
-  const builtin = resolveBuiltin(
-    name,
-    args.map((arg) => arg.type),
-  );
+  const argTypes = args.map((arg) => arg.type);
+  const memory = scope.isKernel ? resolveKernelBuiltin(name, argTypes) : null;
+  if (memory) return { kind: 'builtin', place, type: memory.result, constant: false, name, args };
+  const builtin = resolveBuiltin(name, argTypes);
   if (builtin) {
     const converted = args.map((arg, i) => convert(arg, builtin.args[i] as Type));
     return fold({
@@ -44,7 +44,7 @@ export function callFunction(name: string, args: readonly Expr[], place: SourceP
       args: converted,
     });
   }
-  const types = args.map((arg) => arg.type.name).join(', ');
+  const types = argTypes.map((type) => type.name).join(', ');
   const known = scope.functions.get(name)?.map(signature) ?? [];
   throw new BrdfError(
     place,

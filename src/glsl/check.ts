@@ -16,28 +16,56 @@ import { orderFunctions } from './order.ts';
 import { Scope } from './scope.ts';
 import { BOOL, FLOAT, INT, TABLE, type Type, typeNamed, VOID } from './types.ts';
 
+export interface CheckOptions {
+  /** Whether the GLSL may read measured data by fetchData(). */
+  readonly hasData?: boolean;
+  /** Set for a kernel and for what is linked into one. */
+  readonly kernel?: KernelContext;
+}
+
+/** What a part of a kernel is checked against. */
+export interface KernelContext {
+  /** Functions and variables of the whole kernel need different numbers: those of this part start here. */
+  readonly firstId: number;
+  /** Programs that this one may call, each complete. */
+  readonly programs: readonly Program[];
+  /** Their functions and variables, by the names that they have here. */
+  readonly functions: ReadonlyMap<string, FunctionIR>;
+  readonly variables: ReadonlyMap<string, Variable>;
+}
+
 /** Resolves and types a parsed shader. @throws BrdfError */
 export function checkProgram(
   tree: readonly TopLevel[],
   parameters: readonly Parameter[],
-  hasData = false,
+  options: CheckOptions = {},
 ): Program {
-  return new Checker().program(tree, parameters, hasData);
+  return new Checker(options.kernel ?? null).program(tree, parameters, options.hasData ?? false);
 }
 
 const PARAMETER_TYPES = { float: FLOAT, color: typeNamed('vec3') as Type, bool: BOOL } as const;
 
 class Checker {
-  private nextId = 0;
+  private nextId: number;
   private readonly functions: FunctionIR[] = [];
+  private readonly kernel: KernelContext | null;
+
+  constructor(kernel: KernelContext | null) {
+    this.kernel = kernel;
+    this.nextId = kernel?.firstId ?? 0;
+  }
 
   program(tree: readonly TopLevel[], parameters: readonly Parameter[], hasData: boolean): Program {
     const table = hasData ? this.variable('data', TABLE, 'parameter') : null;
-    const scope = Scope.global(table);
+    const scope = Scope.global(table, this.kernel !== null);
+    // In a kernel a model's parameters are variables that the kernel sets.
+    const role = this.kernel ? 'shared' : 'parameter';
     const variables = parameters.map((parameter) =>
-      this.variable(parameter.name, PARAMETER_TYPES[parameter.type], 'parameter'),
+      this.variable(parameter.name, PARAMETER_TYPES[parameter.type], role),
     );
     for (const variable of variables) scope.declare(variable.name, variable);
+    for (const [name, variable] of this.kernel?.variables ?? []) scope.declare(name, variable);
+    for (const [name, f] of this.kernel?.functions ?? []) scope.functions.set(name, [f]);
     // A shader's own globals may hide parameters of the same name.
     const globals = scope.enterBlock();
     for (const item of tree) {
@@ -46,7 +74,10 @@ class Checker {
       else this.function(item, globals);
     }
     if (table) variables.push(table);
-    return { parameters: variables, functions: orderFunctions(this.functions, variables) };
+    if (!this.kernel) return { parameters: variables, functions: orderFunctions(this.functions, variables) };
+    const linked = new Set(this.kernel.programs.flatMap((program) => program.functions));
+    const functions = orderFunctions([...linked, ...this.functions], [], Number.POSITIVE_INFINITY);
+    return { parameters: variables, functions };
   }
 
   private variable(
@@ -78,6 +109,12 @@ class Checker {
   /** A global is a constant, or is computed from the parameters wherever it is read. */
   private global(item: Declaration, scope: Scope): void {
     for (const declarator of item.declarators) {
+      if (!declarator.init && this.kernel) {
+        const type = resolveSizedType(item.type, scope, declarator.lengths);
+        if (!scope.declare(declarator.name, this.variable(declarator.name, type, 'shared')))
+          throw new BrdfError(declarator.place, `a second '${declarator.name}'`);
+        continue;
+      }
       if (!declarator.init)
         throw new BrdfError(declarator.place, `global '${declarator.name}' has no value`, 'an initialiser');
       const inner = scope.enterFunction();
@@ -197,6 +234,11 @@ class Checker {
       }
       case 'for':
         return [this.forLoop(s, scope.enterBlock(), result)];
+      case 'while': {
+        const test = this.condition(checkExpression(s.test, scope));
+        const body = this.statement(s.body, scope.enterBlock(), result, true);
+        return [{ kind: 'loop', place, test, body: { kind: 'block', place: s.body.place, body } }];
+      }
       case 'return': {
         if (!s.value) {
           if (result !== VOID) throw new BrdfError(place, 'return without a value', `a ${result.name}`);

@@ -8,6 +8,7 @@ const RENAMED: Record<string, string> = {
   inversesqrt: 'inverseSqrt',
   faceforward: 'faceForward',
   roundEven: 'round',
+  bitfieldReverse: 'reverseBits',
 };
 const RELATIONAL: Record<string, string> = {
   lessThan: '<',
@@ -115,7 +116,8 @@ export class WgslEmitter extends FunctionEmitter {
       }
       default: {
         const text = this.expression(e);
-        if (!e.constant && e.type.kind !== 'void') this.lines.push(`_ = ${text};`);
+        if (e.type.kind === 'void') this.lines.push(`${text};`);
+        else if (!e.constant) this.lines.push(`_ = ${text};`);
       }
     }
   }
@@ -329,6 +331,24 @@ export class WgslEmitter extends FunctionEmitter {
         this.needs.set('irradia_fetch', code);
         return `irradia_fetch(${args.join(', ')})`;
       }
+      // A kernel's shader declares `scene`, array<vec4<u32>>, and `film`, array<vec4<f32>>.
+      case 'loadUint4':
+        return `scene[${a}]`;
+      case 'loadFloat4':
+        return `bitcast<vec4<f32>>(scene[${a}])`;
+      case 'loadUint':
+        return `scene[${a} >> 2u][${a} & 3]`;
+      case 'loadFloat':
+        return `bitcast<f32>(scene[${a} >> 2u][${a} & 3])`;
+      case 'filmLoad':
+        return `film[${a}]`;
+      case 'filmStore':
+        return `film[${a}] = ${b}`;
+      case 'floatBitsToUint':
+      case 'floatBitsToInt':
+      case 'uintBitsToFloat':
+      case 'intBitsToFloat':
+        return `bitcast<${this.typeName(e.type)}>(${a})`;
       case 'not':
         return `(!${a})`;
       case 'mod':

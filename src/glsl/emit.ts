@@ -297,6 +297,16 @@ export abstract class FunctionEmitter {
         );
         return;
       }
+      case 'loop': {
+        const body = this.indented(() => {
+          // What the test needs before it runs at every turn, so it stands inside.
+          const test = this.expression(s.test);
+          this.lines.push(`if (!(${test})) {`, '  break;', '}');
+          this.branch(s.body);
+        });
+        this.lines.push('while (true) {', ...body, '}');
+        return;
+      }
       case 'return':
         this.lines.push(s.value ? `return ${this.expression(s.value)};` : 'return;');
         return;

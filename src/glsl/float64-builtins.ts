@@ -111,6 +111,8 @@ export function builtinFloat64(name: string, types: readonly Type[]): Builtin {
     return (a) => (isList ? (a as Vector).map(test) : test(a as number));
   }
   if (name === 'fetchData') return fetchData;
+  const bits = BITS[name];
+  if (bits) return (a) => (isList ? (a as Vector).map(bits) : bits(a as number));
   if (name === 'mix') return mix(types);
   if (first.kind === 'matrix') return matrixFunction(name, first.columns, first.rows);
   const comparison = COMPARISONS[name];
@@ -159,6 +161,28 @@ function determinant(m: Vector, n: number): number {
   }
   return sum;
 }
+
+const word = new DataView(new ArrayBuffer(4));
+const floatToUint = (x: number) => {
+  word.setFloat32(0, x);
+  return word.getUint32(0);
+};
+const bitsToFloat = (bits: number) => {
+  word.setUint32(0, bits);
+  return word.getFloat32(0);
+};
+/** The bits are those of the number as float32, as on a GPU. */
+const BITS: Record<string, (x: number) => number> = {
+  floatBitsToUint: floatToUint,
+  floatBitsToInt: (x) => floatToUint(x) | 0,
+  uintBitsToFloat: bitsToFloat,
+  intBitsToFloat: bitsToFloat,
+  bitfieldReverse: (x) => {
+    let reversed = 0;
+    for (let i = 0; i < 32; i++) reversed = (reversed << 1) | ((x >>> i) & 1);
+    return reversed >>> 0;
+  },
+};
 
 /** Out of range reads the nearest triple, as on the GPU. */
 function fetchData(table: Value, index: Value | undefined): Value {

@@ -97,6 +97,18 @@ export class Float64Program {
         const no: Act = s.no ? this.statement(s.no, result) : () => NEXT;
         return () => (test() ? yes() : no());
       }
+      case 'loop': {
+        const test = this.expression(s.test);
+        const body = this.statement(s.body, result);
+        return () => {
+          while (test()) {
+            const signal = body();
+            if (signal === BREAK) break;
+            if (signal === RETURN) return RETURN;
+          }
+          return NEXT;
+        };
+      }
       case 'for': {
         const cell = this.cell(s.variable);
         const [first, test, step] = [

@@ -63,7 +63,9 @@ class Inliner {
         this.out.push({ ...s, test, yes: branch(s.yes), no: s.no && branch(s.no) });
         return;
       }
+      // A loop's test runs again at every turn: what it calls stays a call.
       case 'for':
+      case 'loop':
         this.out.push({ ...s, body: { kind: 'block', place: s.body.place, body: this.block([s.body]) } });
         return;
       case 'return':
@@ -178,6 +180,7 @@ function returns(s: Stmt): boolean {
     case 'if':
       return returns(s.yes) || (s.no !== null && returns(s.no));
     case 'for':
+    case 'loop':
       return returns(s.body);
     default:
       return false;

@@ -15,8 +15,9 @@ export interface Variable {
   readonly type: Type;
   /**
    * `parameter` is one of the model's parameters; `constant` has a value known now and is declared nowhere;
-   * `argument` and `local` belong to a function; `shared` is what a split function keeps between its
-   * parts, `derived` what its caller computes from the parameters (hoist.ts).
+   * `argument` and `local` belong to a function; `shared` belongs to the whole shader invocation, 0 at first:
+   * what a split function keeps between its parts (hoist.ts), and a kernel's globals (kernel.ts);
+   * `derived` is what a split function's caller computes from the parameters.
    */
   readonly role: 'parameter' | 'constant' | 'argument' | 'local' | 'shared' | 'derived';
   /** The value, if the role is `constant`. */
@@ -85,6 +86,8 @@ export type Stmt = { readonly place: SourcePlace } & (
       readonly body: Stmt;
       readonly count: number;
     }
+  /** `while (test)`: kernels only. */
+  | { readonly kind: 'loop'; readonly test: Expr; readonly body: Stmt }
   | { readonly kind: 'return'; readonly value: Expr | null }
   | { readonly kind: 'break' }
   | { readonly kind: 'continue' }

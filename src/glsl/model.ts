@@ -40,7 +40,9 @@ const CONTRACT = {
  */
 export function compileModel(file: BrdfFile, data: Float32Array | null = null): Model {
   const lines = [...file.shader.lines, ...(file.sampling?.lines ?? [])];
-  const program = checkProgram(parseGlsl(tokenize({ lines })), file.parameters, data !== null);
+  const program = checkProgram(parseGlsl(tokenize({ lines })), file.parameters, {
+    hasData: data !== null,
+  });
   const last = file.shader.lines.at(-1) ?? { file: file.fileName, line: 1 };
   const model: Model = {
     name: file.name,

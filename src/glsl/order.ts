@@ -13,11 +13,13 @@ const MAX_FUNCTIONS = 1000;
  * Orders functions so that each comes after those that it calls, and completes `uses` with what the
  * called ones read.
  *
+ * @param maxWork the bound; endless for a kernel, whose loops are its own affair
  * @throws BrdfError for recursion (which GLSL forbids), a function without a body, or too much work
  */
 export function orderFunctions(
   functions: readonly FunctionIR[],
   parameters: readonly Variable[],
+  maxWork = MAX_WORK,
 ): FunctionIR[] {
   const ordered: FunctionIR[] = [];
   const work = new Map<FunctionIR, number>();
@@ -34,11 +36,11 @@ export function orderFunctions(
     const uses = new Set([...f.uses, ...f.calls.flatMap((callee) => callee.uses)]);
     f.uses = parameters.filter((parameter) => uses.has(parameter));
     const cost = f.body.reduce((sum, statement) => sum + statementWork(statement, work), 1);
-    if (cost > MAX_WORK)
+    if (cost > maxWork)
       throw new BrdfError(
         f.place,
         `${f.name} does too much: about ${cost} operations a call`,
-        `at most ${MAX_WORK}`,
+        `at most ${maxWork}`,
       );
     work.set(f, cost);
     ordered.push(f);
@@ -70,6 +72,8 @@ function statementWork(s: Stmt, work: ReadonlyMap<FunctionIR, number>): number {
         1 +
         s.count * (expressionWork(s.test, work) + expressionWork(s.step, work) + statementWork(s.body, work))
       );
+    case 'loop':
+      return 1 + expressionWork(s.test, work) + statementWork(s.body, work);
     case 'return':
       return s.value ? expressionWork(s.value, work) : 1;
     default:

@@ -62,9 +62,14 @@ const KEYWORDS = new Set([
   ...Object.keys(UNSUPPORTED),
 ]);
 
-/** Parses tokens into a list of functions, structs and global declarations. @throws BrdfError */
-export function parseGlsl(tokens: readonly Token[]): TopLevel[] {
-  return new Parser(tokens).parse();
+/**
+ * Parses tokens into a list of functions, structs and global declarations.
+ *
+ * @param isKernel whether `while` is allowed (docs/decisions/path-tracer.md)
+ * @throws BrdfError
+ */
+export function parseGlsl(tokens: readonly Token[], isKernel = false): TopLevel[] {
+  return new Parser(tokens, isKernel).parse();
 }
 
 class Parser {
@@ -72,9 +77,11 @@ class Parser {
   private depth = 0;
   private readonly structs = new Set<string>();
   private readonly tokens: readonly Token[];
+  private readonly isKernel: boolean;
 
-  constructor(tokens: readonly Token[]) {
+  constructor(tokens: readonly Token[], isKernel: boolean) {
     this.tokens = tokens;
+    this.isKernel = isKernel;
   }
 
   parse(): TopLevel[] {
@@ -280,6 +287,12 @@ class Parser {
         return { kind: 'if', place, test, yes, no: this.accept('else') ? this.statement() : null };
       }
       if (this.accept('for')) return this.forLoop(place);
+      if (this.isKernel && this.accept('while')) {
+        this.expect('(');
+        const test = this.expression();
+        this.expect(')');
+        return { kind: 'while', place, test, body: this.statement() };
+      }
       if (this.accept('return')) {
         const value = this.token.text === ';' ? null : this.expression();
         this.expect(';');

@@ -58,6 +58,8 @@ export function mapStatement(
         step: expression(s.step),
         body: inner(s.body),
       };
+    case 'loop':
+      return { ...s, test: expression(s.test), body: inner(s.body) };
     case 'return':
       return { ...s, value: s.value && expression(s.value) };
     default:

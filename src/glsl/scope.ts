@@ -7,6 +7,8 @@ export class Scope {
   readonly structs: Map<string, StructType>;
   /** What fetchData() reads; null if the model has no measured data. */
   readonly table: Variable | null;
+  /** Whether this is a kernel, which may read memory (kernel.ts). */
+  readonly isKernel: boolean;
   /** Parameters read and functions called so far by the function that is being checked. */
   readonly used: Set<Variable>;
   readonly calls: Set<FunctionIR>;
@@ -15,21 +17,23 @@ export class Scope {
 
   private constructor(
     parent: Scope | null,
-    shared: Pick<Scope, 'functions' | 'structs' | 'table' | 'used' | 'calls'>,
+    shared: Pick<Scope, 'functions' | 'structs' | 'table' | 'isKernel' | 'used' | 'calls'>,
   ) {
     this.parent = parent;
     this.functions = shared.functions;
     this.structs = shared.structs;
     this.table = shared.table;
+    this.isKernel = shared.isKernel;
     this.used = shared.used;
     this.calls = shared.calls;
   }
 
-  static global(table: Variable | null): Scope {
+  static global(table: Variable | null, isKernel: boolean): Scope {
     return new Scope(null, {
       functions: new Map(),
       structs: new Map(),
       table,
+      isKernel,
       used: new Set(),
       calls: new Set(),
     });
@@ -41,6 +45,7 @@ export class Scope {
       functions: this.functions,
       structs: this.structs,
       table: this.table,
+      isKernel: this.isKernel,
       used: new Set(),
       calls: new Set(),
     });
