@@ -4,6 +4,8 @@
  * A light's own unit is what the shading equation wants: cd for point and spot lights, lx for directional
  * ones, nits (cd/m^2) for surfaces. People know lamps by their luminous flux in lm.
  */
+import { transform } from '../color/matrix.ts';
+import { luminance, XYZ_TO_RGB } from '../color/rec709.ts';
 
 /** Luminous flux in lm of a point light of this intensity in cd: it shines into 4 pi sr. */
 export function pointFlux(intensity: number): number {
@@ -48,13 +50,6 @@ export function surfaceLuminance(flux: number, area: number): number {
 /** The range of temperatureColor(), in K. */
 export const TEMPERATURE_RANGE = [1667, 25000] as const;
 
-/** XYZ (CIE 1931, 2 degrees, white D65) to linear Rec. 709: IEC 61966-2-1. */
-const XYZ_TO_RGB = [
-  [3.2404541621141054, -1.5371385127977166, -0.4985314095560161],
-  [-0.9692660305051868, 1.8760108454466942, 0.0415560175303498],
-  [0.0556434309591147, -0.2040259135167538, 1.0572251882231791],
-] as const;
-
 /**
  * Linear Rec. 709 of a black body, with its luminance Y = .2126 R + .7152 G + .0722 B scaled to 1, so that
  * a light keeps its photometric strength when its temperature changes.
@@ -75,9 +70,8 @@ export function temperatureColor(kelvin: number): [number, number, number] {
       : t <= 4000
         ? -0.9549476 * x ** 3 - 1.37418593 * x ** 2 + 2.09137015 * x - 0.16748867
         : 3.081758 * x ** 3 - 5.8733867 * x ** 2 + 3.75112997 * x - 0.37001483;
-  const xyz = [x / y, 1, (1 - x - y) / y] as const;
-  const rgb = XYZ_TO_RGB.map((row) => Math.max(0, row[0] * xyz[0] + row[1] * xyz[1] + row[2] * xyz[2]));
+  const rgb = transform(XYZ_TO_RGB, [x / y, 1, (1 - x - y) / y]).map((c) => Math.max(0, c));
   const [r, g, b] = rgb as [number, number, number];
-  const luminance = 0.2126 * r + 0.7152 * g + 0.0722 * b;
-  return [r / luminance, g / luminance, b / luminance];
+  const Y = luminance([r, g, b]);
+  return [r / Y, g / Y, b / Y];
 }
