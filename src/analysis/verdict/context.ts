@@ -1,6 +1,7 @@
 import type { ParameterValues } from '../../brdf/model.ts';
 import { createEvaluator, type Evaluator } from '../../glsl/evaluator.ts';
 import type { Model } from '../../glsl/model.ts';
+import { Pace } from '../pace.ts';
 import { createRandom } from '../random.ts';
 import { neighbour } from './space.ts';
 import type { Check, Outcome, Point, Property, VerdictOptions, WorstCase } from './types.ts';
@@ -13,7 +14,7 @@ export class Context {
   readonly random: () => number;
   private readonly options: VerdictOptions;
   private readonly progress: (done: number) => void;
-  private rested = Date.now();
+  private readonly pace: Pace;
   private current: ParameterValues | null = null;
 
   constructor(model: Model, property: Property, options: VerdictOptions, progress: (done: number) => void) {
@@ -21,6 +22,7 @@ export class Context {
     this.property = property;
     this.options = options;
     this.progress = progress;
+    this.pace = new Pace(options.signal);
     this.evaluator = createEvaluator(model);
     // A stream of its own for each law: what one check draws must not change what another finds.
     const salt = [...property].reduce((sum, letter) => (sum * 31 + letter.charCodeAt(0)) >>> 0, 7);
@@ -34,12 +36,7 @@ export class Context {
 
   /** To call between pieces of work: reports, lets others run every 50 ms, throws where aborted. */
   async pulse(done: number): Promise<void> {
-    this.options.signal?.throwIfAborted();
-    if (Date.now() - this.rested < 50) return;
-    this.progress(Math.min(1, done));
-    await new Promise((resolve) => setTimeout(resolve, 0));
-    this.rested = Date.now();
-    this.options.signal?.throwIfAborted();
+    await this.pace.rest(() => this.progress(Math.min(1, done)));
   }
 
   /** A term at a point. */
