@@ -91,9 +91,9 @@ export class GeometryCache {
   }
 }
 
-type Primitive = Exclude<Geometry, { type: 'suzanne' | 'gltf' }>;
+export type Primitive = Exclude<Geometry, { type: 'suzanne' | 'gltf' }>;
 
-function createPrimitive(g: Primitive): THREE.BufferGeometry {
+export function createPrimitive(g: Primitive): THREE.BufferGeometry {
   const angle = THREE.MathUtils.degToRad;
   switch (g.type) {
     case 'plane':

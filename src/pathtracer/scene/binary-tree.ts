@@ -1,0 +1,261 @@
+import type { Pace } from './pace.ts';
+
+/**
+ * A binary tree over boxes by the surface area heuristic with bins (I. Wald, 2007, "On fast Construction of SAH-based
+ * Bounding Volume Hierarchies", IEEE Symposium on Interactive Ray Tracing). It works in slices, on any thread.
+ */
+export interface BinaryTree {
+  /** Number of nodes; node 0 is the root. None where there are no items. */
+  readonly nodes: number;
+  /** Six floats a node: minimum, maximum. */
+  readonly boxes: Float32Array;
+  /** Inner node: its first child, which the other one follows. Leaf: its first item in `order`. */
+  readonly first: Uint32Array;
+  /** Items of a leaf; 0 for inner nodes. */
+  readonly count: Uint32Array;
+  /** The items, leaf by leaf. */
+  readonly order: Uint32Array;
+}
+
+const BINS = 16;
+/** Nodes with fewer items are handled without looking at the clock, nor waiting for promises. */
+const SMALL = 4096;
+/**
+ * Levels beyond those of a balanced tree. Boxes in geometric progression would be peeled off one by one, and the
+ * kernel's stack is as deep as the tree: what gets too deep is halved instead.
+ */
+const SLACK = 12;
+
+/** Bounds of boxes and of their centres, which are kept doubled: minimum + maximum. */
+class Bounds {
+  readonly box = new Float64Array(6);
+  readonly centres = new Float64Array(6);
+
+  clear(): void {
+    this.box.fill(Number.POSITIVE_INFINITY, 0, 3).fill(Number.NEGATIVE_INFINITY, 3);
+    this.centres.fill(Number.POSITIVE_INFINITY, 0, 3).fill(Number.NEGATIVE_INFINITY, 3);
+  }
+
+  add(boxes: Float32Array, from: number, to: number): void {
+    const { box, centres } = this;
+    for (let at = 6 * from; at < 6 * to; at += 6) {
+      for (let axis = 0; axis < 3; axis += 1) {
+        const low = boxes[at + axis] as number;
+        const high = boxes[at + axis + 3] as number;
+        const centre = low + high;
+        if (low < (box[axis] as number)) box[axis] = low;
+        if (high > (box[axis + 3] as number)) box[axis + 3] = high;
+        if (centre < (centres[axis] as number)) centres[axis] = centre;
+        if (centre > (centres[axis + 3] as number)) centres[axis + 3] = centre;
+      }
+    }
+  }
+}
+
+/** Half the surface of a box at `at`; 0 if it is empty. */
+export function halfArea(boxes: Float32Array | Float64Array, at = 0): number {
+  const x = (boxes[at + 3] as number) - (boxes[at] as number);
+  const y = (boxes[at + 4] as number) - (boxes[at + 1] as number);
+  const z = (boxes[at + 5] as number) - (boxes[at + 2] as number);
+  return x >= 0 ? x * y + y * z + z * x : 0;
+}
+
+interface Split {
+  readonly axis: number;
+  /** Items in a lower bin go to the first child. */
+  readonly bin: number;
+}
+
+/** The bins of the three axes, and what splitting between them would cost. */
+class Bins {
+  readonly #counts = new Uint32Array(3 * BINS);
+  readonly #boxes = new Float64Array(3 * BINS * 6);
+  readonly #scale = new Float64Array(3);
+  readonly #origin = new Float64Array(3);
+  readonly #areas = new Float64Array(BINS);
+  readonly #sweep = new Float64Array(6);
+  #bins = BINS;
+
+  /** @param count of items: few need few bins */
+  begin(centres: Float64Array, count: number): void {
+    this.#bins = Math.min(BINS, 4 + (count >> 1));
+    this.#counts.fill(0);
+    for (let at = 0; at < this.#boxes.length; at += 6) {
+      this.#boxes.fill(Number.POSITIVE_INFINITY, at, at + 3);
+      this.#boxes.fill(Number.NEGATIVE_INFINITY, at + 3, at + 6);
+    }
+    for (let axis = 0; axis < 3; axis += 1) {
+      const low = centres[axis] as number;
+      const extent = (centres[axis + 3] as number) - low;
+      this.#origin[axis] = low;
+      // Below 1, so that the highest centre falls into the last bin.
+      this.#scale[axis] = extent > 0 ? (this.#bins * (1 - 1e-9)) / extent : 0;
+    }
+  }
+
+  binOf(boxes: Float32Array, item: number, axis: number): number {
+    const centre = (boxes[6 * item + axis] as number) + (boxes[6 * item + axis + 3] as number);
+    return ((centre - (this.#origin[axis] as number)) * (this.#scale[axis] as number)) | 0;
+  }
+
+  add(boxes: Float32Array, from: number, to: number): void {
+    const [counts, bins] = [this.#counts, this.#boxes];
+    for (let item = from; item < to; item += 1) {
+      const at = 6 * item;
+      const x0 = boxes[at] as number;
+      const y0 = boxes[at + 1] as number;
+      const z0 = boxes[at + 2] as number;
+      const x1 = boxes[at + 3] as number;
+      const y1 = boxes[at + 4] as number;
+      const z1 = boxes[at + 5] as number;
+      for (let axis = 0; axis < 3; axis += 1) {
+        const bin = axis * BINS + this.binOf(boxes, item, axis);
+        counts[bin] = (counts[bin] as number) + 1;
+        const b = 6 * bin;
+        if (x0 < (bins[b] as number)) bins[b] = x0;
+        if (y0 < (bins[b + 1] as number)) bins[b + 1] = y0;
+        if (z0 < (bins[b + 2] as number)) bins[b + 2] = z0;
+        if (x1 > (bins[b + 3] as number)) bins[b + 3] = x1;
+        if (y1 > (bins[b + 4] as number)) bins[b + 4] = y1;
+        if (z1 > (bins[b + 5] as number)) bins[b + 5] = z1;
+      }
+    }
+  }
+
+  /** The cheapest split, where `leaf` items cost as much as one; null if the centres are all in one place. */
+  best(leaf: number): Split | null {
+    let best: Split | null = null;
+    let least = Number.POSITIVE_INFINITY;
+    for (let axis = 0; axis < 3; axis += 1) {
+      if (this.#scale[axis] === 0) continue;
+      let above = 0;
+      this.#startSweep();
+      for (let bin = this.#bins - 1; bin > 0; bin -= 1) {
+        above += this.#include(axis, bin);
+        this.#areas[bin] = above > 0 ? halfArea(this.#sweep) * Math.ceil(above / leaf) : -1;
+      }
+      let below = 0;
+      this.#startSweep();
+      for (let bin = 1; bin < this.#bins; bin += 1) {
+        below += this.#include(axis, bin - 1);
+        const rest = this.#areas[bin] as number;
+        if (below === 0 || rest < 0) continue;
+        const cost = halfArea(this.#sweep) * Math.ceil(below / leaf) + rest;
+        if (cost < least) {
+          least = cost;
+          best = { axis, bin };
+        }
+      }
+    }
+    return best;
+  }
+
+  #startSweep(): void {
+    this.#sweep.fill(Number.POSITIVE_INFINITY, 0, 3).fill(Number.NEGATIVE_INFINITY, 3);
+  }
+
+  /** Widens the sweep's box by a bin's. @returns the bin's count */
+  #include(axis: number, bin: number): number {
+    const [sweep, bins] = [this.#sweep, this.#boxes];
+    const at = 6 * (axis * BINS + bin);
+    for (let i = 0; i < 3; i += 1) {
+      sweep[i] = Math.min(sweep[i] as number, bins[at + i] as number);
+      sweep[i + 3] = Math.max(sweep[i + 3] as number, bins[at + i + 3] as number);
+    }
+    return this.#counts[axis * BINS + bin] as number;
+  }
+}
+
+function swap(boxes: Float32Array, order: Uint32Array, a: number, b: number): void {
+  const item = order[a] as number;
+  order[a] = order[b] as number;
+  order[b] = item;
+  for (let i = 0; i < 6; i += 1) {
+    const value = boxes[6 * a + i] as number;
+    boxes[6 * a + i] = boxes[6 * b + i] as number;
+    boxes[6 * b + i] = value;
+  }
+}
+
+/** Nodes as they are added. */
+class Nodes {
+  length = 0;
+  boxes = new Float32Array(6 * 64);
+  first = new Uint32Array(64);
+  count = new Uint32Array(64);
+
+  add(): number {
+    if (this.length === this.first.length) {
+      const grow = <A extends Float32Array | Uint32Array>(old: A, empty: A): A => {
+        empty.set(old);
+        return empty;
+      };
+      this.boxes = grow(this.boxes, new Float32Array(2 * this.boxes.length));
+      this.first = grow(this.first, new Uint32Array(2 * this.first.length));
+      this.count = grow(this.count, new Uint32Array(2 * this.count.length));
+    }
+    this.length += 1;
+    return this.length - 1;
+  }
+}
+
+/**
+ * @param boxes six floats an item: minimum, maximum; put into the order of the leaves
+ * @param leaf the most items of a leaf, which cost as much to intersect as one: the kernel takes them together
+ * @param onProgress called with the number of items that are in their leaves
+ */
+export async function buildBinaryTree(
+  boxes: Float32Array,
+  leaf: number,
+  pace: Pace,
+  onProgress?: (items: number) => void,
+): Promise<BinaryTree> {
+  const items = boxes.length / 6;
+  const order = new Uint32Array(items);
+  for (let i = 0; i < items; i += 1) order[i] = i;
+  const nodes = new Nodes();
+  if (items === 0) return { nodes: 0, boxes: nodes.boxes, first: nodes.first, count: nodes.count, order };
+  const [bounds, bins] = [new Bounds(), new Bins()];
+  const levels = (count: number): number => Math.ceil(Math.log2(Math.max(1, count / leaf)));
+  const deepest = levels(items) + SLACK;
+  let done = 0;
+
+  const pending: [node: number, from: number, to: number, depth: number][] = [[nodes.add(), 0, items, 0]];
+  for (let next = pending.pop(); next !== undefined; next = pending.pop()) {
+    const [node, from, to, depth] = next;
+    const count = to - from;
+    bounds.clear();
+    if (count <= SMALL) bounds.add(boxes, from, to);
+    else await pace.each(from, to, (a, b) => bounds.add(boxes, a, b));
+    nodes.boxes.set(bounds.box, 6 * node);
+    if (count <= leaf) {
+      nodes.first[node] = from;
+      nodes.count[node] = count;
+      done += count;
+      if (pace.due) {
+        onProgress?.(done);
+        await pace.rest();
+      }
+      continue;
+    }
+    bins.begin(bounds.centres, count);
+    if (count <= SMALL) bins.add(boxes, from, to);
+    else await pace.each(from, to, (a, b) => bins.add(boxes, a, b));
+    const split = depth + levels(count) < deepest ? bins.best(leaf) : null;
+    // Halves of whole leaves, in whatever order the items are: they are all in one place, or there are too many levels.
+    let middle = from + leaf * Math.ceil(count / 2 / leaf);
+    if (split !== null) {
+      middle = from;
+      for (let item = from; item < to; item += 1) {
+        if (bins.binOf(boxes, item, split.axis) >= split.bin) continue;
+        if (item !== middle) swap(boxes, order, item, middle);
+        middle += 1;
+      }
+    }
+    const child = nodes.add();
+    nodes.add();
+    nodes.first[node] = child;
+    pending.push([child + 1, middle, to, depth + 1], [child, from, middle, depth + 1]);
+  }
+  return { nodes: nodes.length, boxes: nodes.boxes, first: nodes.first, count: nodes.count, order };
+}
