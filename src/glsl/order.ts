@@ -115,3 +115,15 @@ export function children(e: Expr): readonly Expr[] {
       return e.items;
   }
 }
+
+/** These functions and all that they call, each after those that it calls. */
+export function reachable(entries: readonly FunctionIR[]): FunctionIR[] {
+  const found = new Set<FunctionIR>();
+  const visit = (f: FunctionIR): void => {
+    if (found.has(f)) return;
+    for (const callee of f.calls) visit(callee);
+    found.add(f);
+  };
+  for (const f of entries) visit(f);
+  return [...found];
+}

@@ -1,0 +1,42 @@
+import type { Kernel } from '../../glsl/kernel.ts';
+import { reachable } from '../../glsl/order.ts';
+import { emitFunction } from '../../glsl/shader-text.ts';
+
+/** Pixels along each side of a workgroup. */
+export const WORKGROUP = 8;
+
+/** Starts every global name of the kernel. */
+const PREFIX = 'kernel';
+
+/**
+ * The kernel as one compute shader in WGSL.
+ *
+ * Group 0: 0 the scene's memory, 1 the film, 2 a uniform (left, top, first sample, number of samples) of the pixels
+ * that a dispatch takes, one invocation each.
+ */
+export function kernelShader(kernel: Kernel): string {
+  const entry = kernel.entry('renderPixel');
+  const needs = new Map<string, string>();
+  const code: string[] = [];
+  let main = '';
+  for (const f of reachable([entry])) {
+    const emitted = emitFunction(PREFIX, f, 'wgsl');
+    for (const [name, text] of emitted.needs) needs.set(name, text);
+    code.push(emitted.code);
+    main = emitted.name;
+  }
+  return `
+@group(0) @binding(0) var<storage, read> scene: array<vec4<u32>>;
+@group(0) @binding(1) var<storage, read_write> film: array<vec4<f32>>;
+@group(0) @binding(2) var<uniform> job: vec4<u32>;
+${[...needs.values()].join('\n')}
+${code.join('\n')}
+@compute @workgroup_size(${WORKGROUP}, ${WORKGROUP})
+fn main(@builtin(global_invocation_id) id: vec3<u32>) {
+  let size = scene[16].xy;
+  let place = job.xy + id.xy;
+  if (any(place >= size)) { return; }
+  ${main}(i32(place.y * size.x + place.x), job.z, job.w);
+}
+`;
+}
