@@ -23,6 +23,9 @@ import {
   environmentDefaults,
   environmentFileSchema,
   environmentSchema,
+  fogDefaults,
+  fogFileSchema,
+  fogSchema,
   viewDefaults,
   viewFileSchema,
   viewSchema,
@@ -97,7 +100,7 @@ export const modelSourceSchema = z.union(
   [
     z.strictObject({ source: group(z.string().max(maxModelLength), 'The text of a .brdf file') }),
     z.strictObject({
-      measured: reference('A MERL BRDF, as in its file or packed by Irradia', 'assets'),
+      measured: reference('A measured BRDF, as in its file or packed by Irradia', 'assets'),
     }),
   ],
   { error: 'expected { source } or { measured }' },
@@ -142,6 +145,7 @@ export const documentShape = {
   name: z.string().max(200).describe('Title of the scene'),
   description: z.string().max(4000).describe('What the scene shows'),
   camera: cameraSchema,
+  fog: fogSchema,
   environment: environmentSchema,
   background: backgroundSchema,
   lights: collection('lights', id, lightSchema),
@@ -166,6 +170,7 @@ export const singles: readonly Single[] = [
   'name',
   'description',
   'camera',
+  'fog',
   'environment',
   'background',
   'view',
@@ -183,6 +188,7 @@ export const documentFileSchema = withDefaults(
   {
     ...documentShape,
     camera: cameraFileSchema,
+    fog: fogFileSchema,
     environment: environmentFileSchema,
     lights: collection('lights', id, lightFileSchema),
     objects: collection('objects', id, objectFileSchema),
@@ -193,6 +199,7 @@ export const documentFileSchema = withDefaults(
     name: 'Untitled',
     description: '',
     camera: cameraDefaults,
+    fog: fogDefaults,
     environment: environmentDefaults,
     background: backgroundDefault,
     lights: {},
@@ -207,4 +214,4 @@ export const documentFileSchema = withDefaults(
 export type { AddableGeometry, Geometry, GeometryOf, GeometryType } from './geometry-schema.ts';
 export type { Light, LightOf, LightType } from './light-schema.ts';
 export type { Material, MaterialMap, ScaledTextureRef, TextureRef } from './material-schema.ts';
-export type { Background, Camera, Environment, EnvironmentSource, View } from './stage-schema.ts';
+export type { Background, Camera, Environment, EnvironmentSource, Fog, View } from './stage-schema.ts';

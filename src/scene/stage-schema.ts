@@ -1,4 +1,4 @@
-/** What a scene has once: camera, environment, background, view. */
+/** What a scene has once: camera, fog, environment, background, view. */
 import { z } from 'zod';
 import { boolean, choice, color, id, integer, number, reference, vector3, withDefaults } from './fields.ts';
 import { environmentPresets } from './presets.ts';
@@ -23,6 +23,33 @@ export const cameraShape = {
     slider: [10, 1000],
     step: 1,
   }),
+  fStop: number(
+    'Path tracer: depth of field, as f-number of a lens before a 36 × 24 mm picture; 0 is a pinhole, all in focus',
+    { range: [0, 1000], slider: [0, 22], step: 0.1 },
+  ),
+  focusDistance: number('Path tracer: distance along the view that is in focus; 0 is the target’s', {
+    range: [0, 1e7],
+    unit: 'm',
+    slider: [0, 20],
+    step: 0.01,
+  }),
+  apertureBlades: integer('Path tracer: corners of what is out of focus; fewer than 3 is round', {
+    range: [0, 16],
+    slider: [0, 16],
+  }),
+};
+
+export const fogShape = {
+  density: number('Path tracer: part of the light that is scattered or absorbed per metre; 0 is clear air', {
+    range: [0, 1e4],
+    slider: [0, 1],
+    step: 0.001,
+  }),
+  color: color('Path tracer: part of that light which is scattered, not absorbed, linear Rec. 709'),
+  anisotropy: number(
+    'Path tracer: mean cosine of the angle by which the light is turned; above 0 it goes on forwards',
+    { range: [-0.99, 0.99], slider: [-0.95, 0.95], step: 0.01 },
+  ),
 };
 
 export const environmentSourceShapes = {
@@ -110,10 +137,12 @@ export const viewShape = {
 };
 
 export const cameraSchema = z.strictObject(cameraShape);
+export const fogSchema = z.strictObject(fogShape);
 export const environmentSchema = z.strictObject(environmentShape);
 export const viewSchema = z.strictObject(viewShape);
 
 export type Camera = z.output<typeof cameraSchema>;
+export type Fog = z.output<typeof fogSchema>;
 export type Environment = z.output<typeof environmentSchema>;
 export type Background = z.output<typeof backgroundSchema>;
 export type View = z.output<typeof viewSchema>;
@@ -124,7 +153,11 @@ export const cameraDefaults: Readonly<Camera> = {
   target: [0, 0.5, 0],
   near: 0.05,
   far: 200,
+  fStop: 0,
+  focusDistance: 0,
+  apertureBlades: 0,
 };
+export const fogDefaults: Readonly<Fog> = { density: 0, color: [0.9, 0.9, 0.9], anisotropy: 0 };
 export const environmentDefaults: Readonly<Environment> = {
   source: { type: 'none' },
   intensity: 1,
@@ -144,5 +177,6 @@ export const viewDefaults: Readonly<View> = {
 };
 
 export const cameraFileSchema = withDefaults(cameraShape, cameraDefaults);
+export const fogFileSchema = withDefaults(fogShape, fogDefaults);
 export const environmentFileSchema = withDefaults(environmentShape, environmentDefaults);
 export const viewFileSchema = withDefaults(viewShape, viewDefaults);

@@ -2,6 +2,7 @@
 import * as THREE from 'three/webgpu';
 import { lightDefaults } from '../../scene/light-schema.ts';
 import type { Camera, Light, SceneObject } from '../../scene/schema.ts';
+import { cameraDefaults } from '../../scene/stage-schema.ts';
 import type { Notes } from './notes.ts';
 import { type Gltf, type GltfNode, isSurface, lightsSchema } from './schema.ts';
 
@@ -166,6 +167,7 @@ function convertCamera(
   }
   const near = THREE.MathUtils.clamp(perspective.znear, 1e-4, 1e4);
   return {
+    ...cameraDefaults,
     fov: THREE.MathUtils.clamp(THREE.MathUtils.radToDeg(perspective.yfov), 1, 170),
     ...aim(world, Math.max(5, near * 2)),
     near,

@@ -331,7 +331,7 @@ function writeInstances(
   return first;
 }
 
-/** Background, the sky's even part and the sphere around the objects, whose radius is 0 where there are none. */
+/** Background, the sky's even part, fog and the sphere around the objects, whose radius is 0 where there are none. */
 function writeSurroundings(header: Words, document: Document, boxes: readonly number[]): void {
   const { background } = document;
   if (background.type === 'color') header.setFloats(HEADER.background, ...background.color);
@@ -339,6 +339,9 @@ function writeSurroundings(header: Words, document: Document, boxes: readonly nu
   const { upper, lower } = uniformSky(document);
   header.setFloats(HEADER.upperSky, ...upper);
   header.setFloats(HEADER.lowerSky, ...lower);
+  const { density, color, anisotropy } = document.fog;
+  header.setFloats(HEADER.fog, density, anisotropy);
+  header.setFloats(HEADER.fogAlbedo, ...color);
   if (boxes.length === 0) return;
   const low = [0, 1, 2].map(() => Number.POSITIVE_INFINITY);
   const high = [0, 1, 2].map(() => Number.NEGATIVE_INFINITY);

@@ -1,4 +1,4 @@
-/** The scene itself: view, camera, environment, background. */
+/** The scene itself: view, camera, fog, environment, background. */
 
 import { type EnvironmentPreset, environmentPresets } from '../../../scene/presets.ts';
 import type { Background, Document, EnvironmentSource } from '../../../scene/schema.ts';
@@ -10,6 +10,8 @@ import {
   environmentDefaults,
   environmentShape,
   environmentSourceShapes,
+  fogDefaults,
+  fogShape,
   viewDefaults,
   viewShape,
 } from '../../../scene/stage-schema.ts';
@@ -77,6 +79,7 @@ export function scenePanel(session: Session): InspectorPanel {
         ),
       ),
       fold('Camera', ...part('camera', pose, cameraDefaults)),
+      fold('Fog', ...part('fog', fogShape, fogDefaults)),
       fold('Near and far', ...part('camera', { near, far }, cameraDefaults)),
     ),
     update() {
