@@ -55,5 +55,10 @@ export function toggleHelpers(store: DocumentStore): void {
 }
 
 export function toggleBench(state: EditorStateStore): void {
-  state.set({ benchOpen: !state.value.benchOpen });
+  state.set({ benchOpen: !state.value.benchOpen, benchPage: false });
+}
+
+/** The bench over the whole page, and back to where it was. */
+export function toggleBenchPage(state: EditorStateStore): void {
+  state.set({ benchOpen: true, benchPage: !state.value.benchPage });
 }

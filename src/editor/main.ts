@@ -7,7 +7,13 @@ import { SceneMirror } from '../scene/mirror.ts';
 import { pageAssets } from '../scene/page-assets.ts';
 import type { Document } from '../scene/schema.ts';
 import { DocumentStore } from '../scene/store.ts';
-import { deleteSelected, duplicateSelected, toggleBench, toggleHelpers } from './commands.ts';
+import {
+  deleteSelected,
+  duplicateSelected,
+  toggleBench,
+  toggleBenchPage,
+  toggleHelpers,
+} from './commands.ts';
 import { installErrorReports, showStartFailure } from './errors.ts';
 import { installDrop } from './io/drop.ts';
 import { ANY_ACCEPT, chooseFiles, download, fileNameOf } from './io/files.ts';
@@ -84,7 +90,7 @@ document
     h('div', { class: 'panel-left' }, outliner.element),
     view,
     h('div', { class: 'panel-right' }, createInspector(session)),
-    createBench(session),
+    createBench(session, { geometryOf: (id) => mirror.objectFor(id)?.geometry }),
     status.element,
   );
 installDrop(view, (files) => void session.openFiles(files));
@@ -100,6 +106,7 @@ installShortcuts([
   { key: 'f', run: () => session.focusSelection() },
   { key: 'h', run: () => toggleHelpers(store) },
   { key: 'b', run: () => toggleBench(state) },
+  { key: 'b', shift: true, run: () => toggleBenchPage(state) },
   { key: 'f2', run: () => session.renameSelected() },
   { key: 'escape', run: () => state.select(null) },
 ]);

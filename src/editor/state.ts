@@ -20,6 +20,8 @@ export interface EditorState {
   readonly continuous: boolean;
   readonly statusOpen: boolean;
   readonly benchOpen: boolean;
+  /** The open bench fills the page. */
+  readonly benchPage: boolean;
   /** CSS pixels. */
   readonly benchHeight: number;
   readonly bench: BenchSettings;
@@ -38,6 +40,7 @@ const initial: EditorState = {
   continuous: false,
   statusOpen: true,
   benchOpen: false,
+  benchPage: false,
   benchHeight: 348,
   bench: initialSettings,
 };

@@ -67,9 +67,11 @@ describe('the bench', () => {
   it('turns the viewer when the plot is dragged, and with the arrow keys', async () => {
     const box = await page.page.locator('.bench-plot').boundingBox();
     if (!box) throw new Error('no plot');
-    await page.page.mouse.move(box.x + box.width / 2 - 60, box.y + box.height - 90);
+    const radius = Math.min(box.height - 58, box.width / 2 - 40);
+    const surface = box.y + box.height - 30 - (box.height - 58 - radius) / 2;
+    await page.page.mouse.move(box.x + box.width / 2 - 60, surface - 60);
     await page.page.mouse.down();
-    await page.page.mouse.move(box.x + box.width / 2 - 60, box.y + box.height - 70);
+    await page.page.mouse.move(box.x + box.width / 2 - 60, surface - 40);
     await page.page.mouse.up();
     const angle = () => page.page.inputValue('[data-bench=thetaV] .number input');
     const dragged = Number(await angle());

@@ -1,5 +1,6 @@
 /** The directional albedo over theta_v, one angle at a time, so that who asks can draw what is there. */
 import { directionalAlbedo } from '../albedo.ts';
+import type { QuadratureOptions } from '../quadrature.ts';
 import { direction } from '../vector.ts';
 import { type Curve, type CurvePoint, type Reflectance, type Rgb, radians } from './curve.ts';
 
@@ -16,9 +17,14 @@ export const albedoAngles: readonly number[] = [
   LAST,
 ];
 
-export function albedoAt(f: Reflectance, thetaV: number, phiV: number): CurvePoint {
+export function albedoAt(
+  f: Reflectance,
+  thetaV: number,
+  phiV: number,
+  { tolerance = TOLERANCE, maxEvaluations = MOST_EVALUATIONS }: QuadratureOptions = {},
+): CurvePoint {
   const v = direction(Math.cos(radians(thetaV)), radians(phiV));
-  const { value } = directionalAlbedo(f, v, { tolerance: TOLERANCE, maxEvaluations: MOST_EVALUATIONS });
+  const { value } = directionalAlbedo(f, v, { tolerance, maxEvaluations });
   return { angle: thetaV, rgb: value as unknown as Rgb };
 }
 

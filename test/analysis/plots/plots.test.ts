@@ -6,8 +6,9 @@ import type { Reflectance } from '../../../src/analysis/plots/curve.ts';
 import { differenceSlice } from '../../../src/analysis/plots/difference-slice.ts';
 import { directionsFrom, halfDifferenceOf } from '../../../src/analysis/plots/half-difference.ts';
 import { halfSlice } from '../../../src/analysis/plots/half-slice.ts';
-import { imageAngles, imageSlice } from '../../../src/analysis/plots/image-slice.ts';
+import { imageAngles, imageSliceAt } from '../../../src/analysis/plots/image-slice.ts';
 import { lightSlice } from '../../../src/analysis/plots/light-slice.ts';
+import { pictures } from '../../../src/analysis/plots/picture.ts';
 import { createRandom } from '../../../src/analysis/random.ts';
 import { createEvaluator } from '../../../src/glsl/evaluator.ts';
 import type { Model } from '../../../src/glsl/model.ts';
@@ -93,14 +94,21 @@ describe('the directional albedo', () => {
 
 describe('the image slice', () => {
   it('has the square-root axis and the values of the slices', () => {
-    expect(imageAngles(0.5, 0.5)).toEqual({ thetaH: 22.5, thetaD: 45 });
+    const options = { phiD: 90, cosine: false, squareRoot: true };
+    expect(imageAngles(0.5, 0.5, options)).toEqual({ thetaH: 22.5, thetaD: 45 });
+    expect(imageAngles(0.5, 0.5, { squareRoot: false })).toEqual({ thetaH: 45, thetaD: 45 });
     const d = evaluate('cook-torrance', { roughness: 0.3 }, 'distribution');
-    const last = [...imageSlice(d, { phiD: 90, cosine: false })].at(-1);
-    const size = last?.size ?? 0;
-    const column = 30;
-    const theta = (Math.PI / 2) * ((column + 0.5) / size) ** 2;
+    const theta = (Math.PI / 2) * 0.3 ** 2;
     const exact = Math.exp(-((Math.tan(theta) / 0.3) ** 2)) / (Math.PI * 0.09 * Math.cos(theta) ** 4);
-    expect(last?.pixels[3 * (50 * size + column)]).toBeCloseTo(exact, 5);
+    expect(imageSliceAt(d, 0.3, 0.6, options)[0]).toBeCloseTo(exact, 9);
+  });
+
+  it('is made at growing sizes, with rows from the top', () => {
+    const made = [...pictures([2, 64], (x, y) => [x, y, 0])].filter((picture) => picture !== null);
+    expect(made.map(({ size }) => size)).toEqual([2, 64]);
+    expect([...(made[0]?.pixels ?? [])]).toEqual([
+      0.25, 0.75, 0, 0.75, 0.75, 0, 0.25, 0.25, 0, 0.75, 0.25, 0,
+    ]);
   });
 });
 

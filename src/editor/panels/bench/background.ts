@@ -1,5 +1,6 @@
-/** The page's side of the worker: asks again only when something changed, keeps what came last. */
-import type { Answer, Job, Result, Task } from './jobs.ts';
+/** The page's side of the workers: asks again only when something changed, keeps what came last. */
+import type { TriangleMesh } from '../../../analysis/plots/surface.ts';
+import type { Answer, Job, Result, Shape, Task } from './jobs.ts';
 import type { Subject } from './series.ts';
 
 interface Wish {
@@ -9,10 +10,15 @@ interface Wish {
   result: Result | null;
 }
 
+/** Integrals take far longer than pictures: those do not wait for them. */
+const SLOW: readonly Task['kind'][] = ['albedo', 'sweep'];
+
 export class Background {
   readonly #wishes = new Map<string, Wish>();
   readonly #onResult: () => void;
-  #worker: Worker | null = null;
+  readonly #workers = new Map<boolean, Worker>();
+  readonly #shapes = new WeakMap<TriangleMesh, number>();
+  #sent: TriangleMesh | null = null;
   #tickets = 0;
 
   constructor(onResult: () => void) {
@@ -31,12 +37,22 @@ export class Background {
     // The old curve stays in sight until the first part of the new one comes.
     const result = known?.result ? { ...known.result, progress: 0 } : null;
     this.#wishes.set(key, { signature, source, ticket: job.ticket, result });
-    this.#start().postMessage(job);
+    this.#worker(SLOW.includes(task.kind)).postMessage(job);
     return result;
   }
 
-  #start(): Worker {
-    if (this.#worker) return this.#worker;
+  /** The number by which a task names a shape. */
+  shape(triangles: TriangleMesh): number {
+    const mesh = this.#shapes.get(triangles) ?? ++this.#tickets;
+    this.#shapes.set(triangles, mesh);
+    if (this.#sent !== triangles) this.#worker(false).postMessage({ mesh, triangles } satisfies Shape);
+    this.#sent = triangles;
+    return mesh;
+  }
+
+  #worker(slow: boolean): Worker {
+    const known = this.#workers.get(slow);
+    if (known) return known;
     const worker = new Worker(new URL('./worker.ts', import.meta.url), { type: 'module' });
     worker.addEventListener('message', ({ data }: MessageEvent<Answer>) => {
       const wish = this.#wishes.get(data.key);
@@ -45,7 +61,7 @@ export class Background {
       wish.result = wish.ticket === data.ticket ? data.result : { ...data.result, progress: 0 };
       this.#onResult();
     });
-    this.#worker = worker;
+    this.#workers.set(slow, worker);
     return worker;
   }
 }

@@ -1,39 +1,58 @@
 /**
- * The BRDF bench: a dock under the viewport that plots the selected material's model as it is changed, and
- * copies of earlier states beside it. It reads the document and never changes it.
+ * The BRDF bench: a dock under the viewport, or the whole page, that plots the selected material's model as it is
+ * changed, and copies of earlier states beside it. Only l, kept in step with a light, changes the document.
  */
+import type { BufferGeometry } from 'three/webgpu';
 import type { Rgb } from '../../../analysis/plots/curve.ts';
-import { imageSliceAt } from '../../../analysis/plots/image-slice.ts';
+import { toggleBenchPage } from '../../commands.ts';
 import { download, fileNameOf } from '../../io/files.ts';
 import type { Session } from '../../session.ts';
 import { h } from '../../ui/dom.ts';
+import { newGesture } from '../../ui/gesture.ts';
 import { icon } from '../../ui/icons.ts';
 import { menuButton } from '../../ui/menu.ts';
 import { toastError } from '../../ui/toast.ts';
 import { Background } from './background.ts';
-import { createPlotCanvas } from './canvas.ts';
 import { createControls } from './controls.ts';
 import { exportCsv, exportPng, exportSvg } from './export.ts';
 import type { Plot, Probe } from './frame.ts';
+import { createGrid } from './grid.ts';
 import { createLegend } from './legend.ts';
+import { litObject, meshOf } from './object-mesh.ts';
 import { plotData } from './plot-data.ts';
 import { clampHeight, createSash } from './sash.ts';
-import { Evaluators, subjectsOf, termsOf } from './series.ts';
-import { type BenchSettings, CURRENT, freeColor } from './settings.ts';
+import { placeSceneLight, sameAngles, sceneLightAngles } from './scene-light.ts';
+import { Evaluators, numbersOf, subjectsOf, sweptParameter, termsOf } from './series.ts';
+import { type BenchSettings, CURRENT, freeColor, paneSettings } from './settings.ts';
 import { createTabs } from './tabs.ts';
+import { viewInfo } from './views.ts';
 
-export function createBench({ store, state }: Session): HTMLElement {
+export interface BenchOptions {
+  /** The geometry of an object in the scene; undefined while it is loading. */
+  geometryOf(object: string): BufferGeometry | undefined;
+}
+
+export function createBench({ store, state }: Session, { geometryOf }: BenchOptions): HTMLElement {
   const evaluators = new Evaluators();
   const background = new Background(() => wantFrame());
   const change = (patch: Partial<BenchSettings>) => state.set({ bench: { ...state.value.bench, ...patch } });
   const subjects = () => subjectsOf(store.document, state.value.selection, state.value.bench.pins);
+  const activeView = () => paneSettings(state.value.bench, state.value.bench.active).view;
 
-  const tabs = createTabs((view) => change({ view }));
-  const controls = createControls(change);
-  const canvas = createPlotCanvas(
-    () => wantFrame(),
-    (thetaV) => change({ thetaV }),
-  );
+  const grid = createGrid({
+    wantFrame: () => wantFrame(),
+    change,
+    activate: (active) => change({ active }),
+    choose: (pane, view) => change({ active: pane, panes: state.value.bench.panes.with(pane, view) }),
+  });
+  const tabs = createTabs((view) => {
+    const { panes, active } = state.value.bench;
+    change({ panes: panes.with(active, view) });
+  });
+  const controls = createControls({
+    change,
+    placeLight: () => placeSceneLight(store, state.value.bench),
+  });
   const legend = createLegend({
     pin: () => {
       const [current] = subjects();
@@ -55,30 +74,54 @@ export function createBench({ store, state }: Session): HTMLElement {
     'aria-label': 'Computing the plot',
     hidden: true,
   });
+  const page = h(
+    'button',
+    {
+      type: 'button',
+      class: 'icon-button',
+      'aria-label': 'Fill the page with the bench',
+      tip: 'Fill the page, six views at once (Shift+B)',
+    },
+    icon('expand'),
+  );
+  page.addEventListener('click', () => toggleBenchPage(state));
   const close = h(
     'button',
     { type: 'button', class: 'icon-button', 'aria-label': 'Close the bench', tip: 'Close (B)' },
     icon('close'),
   );
-  close.addEventListener('click', () => state.set({ benchOpen: false }));
+  close.addEventListener('click', () => state.set({ benchOpen: false, benchPage: false }));
+
+  const mesh = () => {
+    const object = litObject(store.document, state.value.selection);
+    const geometry = object === null ? undefined : geometryOf(object);
+    return geometry ? meshOf(geometry) : null;
+  };
 
   /** What is on the screen, at the parameters of this moment. */
-  const present = (probe: Probe | null): { plot: Plot; progress: number } => {
+  const present = (pane: number, probe: Probe | null): { plot: Plot; progress: number } => {
     const all = subjects();
     const terms = all[0] ? termsOf(all[0]) : [];
     const { bench } = state.value;
-    // Another model may not have the term; its whole is then shown, and the term again when it is back.
-    const settings = terms.includes(bench.term) ? bench : { ...bench, term: 'BRDF' };
-    const data = plotData(all, settings, evaluators, background);
-    return { plot: { settings, curves: data.curves, probe }, progress: data.progress };
+    const parameter = sweptParameter(all[0], bench.parameter);
+    const settings = {
+      ...paneSettings(bench, pane),
+      // Another model may not have the term; its whole is then shown, and the term again when it is back.
+      term: terms.includes(bench.term) ? bench.term : 'BRDF',
+      parameter: parameter?.name ?? '',
+    };
+    const data = plotData(all, settings, { evaluators, background, mesh, parameter });
+    return { plot: { settings, curves: data.curves, probe, parameter }, progress: data.progress };
   };
 
-  /** A file of a curve that is not complete would be taken for the whole. */
-  const computing = () => present(null).progress < 1;
+  /** A file of a curve that is not complete would be taken for the whole; a panel is no plot. */
+  const cannotExport = () =>
+    viewInfo[activeView()].view === null || present(state.value.bench.active, null).progress < 1;
 
   const save = async (extension: 'svg' | 'png' | 'csv') => {
-    const { plot } = present(null);
-    const { width, height } = canvas.size();
+    const { active } = state.value.bench;
+    const { plot } = present(active, null);
+    const { width, height } = grid.pane(active).size();
     const name = `${fileNameOf(subjects()[0]?.name ?? 'brdf')}-${plot.settings.view}.${extension}`;
     try {
       if (extension === 'svg') download(name, exportSvg(plot, width, height));
@@ -103,34 +146,52 @@ export function createBench({ store, state }: Session): HTMLElement {
       progress,
       h('span', { class: 'spacer' }),
       menuButton('Export', () => [
-        { label: 'SVG', icon: 'image', disabled: computing(), run: () => void save('svg') },
-        { label: 'PNG', icon: 'image', disabled: computing(), run: () => void save('png') },
+        { label: 'SVG', icon: 'image', disabled: cannotExport(), run: () => void save('svg') },
+        { label: 'PNG', icon: 'image', disabled: cannotExport(), run: () => void save('png') },
         {
           label: 'CSV',
           icon: 'file',
           tip: 'The numbers, in full precision',
-          disabled: computing(),
+          disabled: cannotExport(),
           run: () => void save('csv'),
         },
       ]),
+      page,
       close,
     ),
-    h('div', { class: 'bench-view' }, canvas.element),
+    grid.element,
     h('div', { class: 'bench-side' }, legend.element, controls.element),
   );
 
   const draw = () => {
     const all = subjects();
-    const now = present(canvas.probe);
-    const { settings } = now.plot;
-    tabs.show(settings.view);
-    controls.show(settings, all[0] ? termsOf(all[0]) : []);
-    legend.show(all, settings);
-    canvas.draw(now.plot);
-    const { where, values } = readings(now.plot);
-    legend.showValues(where, values, settings.channel);
-    progress.value = now.progress;
-    progress.hidden = now.progress >= 1;
+    const { bench } = state.value;
+    const visible = state.value.benchPage ? bench.panes.map((_, pane) => pane) : [bench.active];
+    grid.show(bench, visible);
+    tabs.show(activeView());
+    let done = 1;
+    let reading: Plot | null = null;
+    for (const pane of visible) {
+      if (viewInfo[paneSettings(bench, pane).view].view === null) continue;
+      const { probe } = grid.pane(pane);
+      const now = present(pane, probe);
+      grid.pane(pane).draw(now.plot);
+      done = Math.min(done, now.progress);
+      if (probe || pane === bench.active) reading ??= now.plot;
+      if (probe) reading = now.plot;
+    }
+    const settings = reading?.settings ?? { ...bench, term: bench.term };
+    controls.show(
+      settings,
+      visible.map((pane) => paneSettings(bench, pane).view),
+      all[0] ? termsOf(all[0]) : [],
+      numbersOf(all[0]).map(({ name }) => name),
+    );
+    legend.show(all, bench);
+    const { where, values } = readings(reading);
+    legend.showValues(where, values, bench.channel);
+    progress.value = done;
+    progress.hidden = done >= 1;
   };
 
   let wanted = false;
@@ -143,32 +204,49 @@ export function createBench({ store, state }: Session): HTMLElement {
     });
   };
   const layout = () => {
-    element.hidden = !state.value.benchOpen;
-    element.style.height = `${clampHeight(state.value.benchHeight)}px`;
+    const { benchOpen, benchPage, benchHeight } = state.value;
+    element.hidden = !benchOpen;
+    element.classList.toggle('page', benchPage);
+    page.setAttribute('aria-pressed', String(benchPage));
+    element.style.height = benchPage ? '' : `${clampHeight(benchHeight)}px`;
     wantFrame();
   };
-  store.subscribe(wantFrame);
-  state.subscribe(layout);
+
+  /** One undo step for each time that the switch is on. */
+  let merge: string | undefined;
+  const lightFollows = (previous: BenchSettings) => {
+    const { bench } = state.value;
+    if (!bench.lightInStep) return;
+    const light = sceneLightAngles(store.document);
+    if (!previous.lightInStep) {
+      // The scene is what the person made: the plots come to it, not it to them.
+      merge = newGesture();
+      if (light) change(light);
+    } else if (!light || !sameAngles(light, bench)) placeSceneLight(store, bench, merge);
+  };
+  store.subscribe(() => {
+    const { bench } = state.value;
+    const light = bench.lightInStep ? sceneLightAngles(store.document) : null;
+    if (light && !sameAngles(light, bench)) change(light);
+    wantFrame();
+  });
+  state.subscribe((_, previous) => {
+    if (previous.bench !== state.value.bench) lightFollows(previous.bench);
+    layout();
+  });
   window.addEventListener('resize', layout);
   layout();
   return element;
 }
 
-const SYMBOLS = { polar: 'θl', thetaL: 'θl', thetaH: 'θh', thetaD: 'θd', albedo: 'θv', image: 'θh' } as const;
-
 /** The values under the pointer, and where it is. */
-function readings({ settings, curves, probe }: Plot): { where: string; values: Map<string, Rgb> } {
+function readings(plot: Plot | null): { where: string; values: Map<string, Rgb> } {
   const values = new Map<string, Rgb>();
-  if (!probe) return { where: '', values };
-  const { angle, y } = probe;
-  for (const { id, f, at } of curves) {
-    const rgb =
-      y === undefined
-        ? at(angle)?.rgb
-        : imageSliceAt(f, Math.sqrt(angle / 90), y, { phiD: 90, cosine: settings.cosine });
-    if (rgb) values.set(id, rgb);
+  const view = plot && viewInfo[plot.settings.view].view;
+  if (!plot?.probe || !view) return { where: '', values };
+  for (const curve of plot.curves) {
+    const rgb = view.value(curve, plot.probe, plot);
+    if (rgb) values.set(curve.id, rgb);
   }
-  const degrees = (value: number) => `${value.toFixed(1).replace('-', '−')}°`;
-  const second = y === undefined ? '' : `   θd ${degrees(90 * y)}`;
-  return { where: `${SYMBOLS[settings.view]} ${degrees(angle)}${second}`, values };
+  return { where: view.where(plot.probe, plot), values };
 }

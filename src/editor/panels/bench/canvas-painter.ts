@@ -30,6 +30,18 @@ export function canvasPainter(
       context.setLineDash([...dash]);
       context.stroke();
     },
+    polygon(points, color, edge) {
+      context.beginPath();
+      for (const [x, y] of points) context.lineTo(x, y);
+      context.closePath();
+      context.fillStyle = color;
+      context.fill();
+      if (edge === null) return;
+      context.strokeStyle = edge;
+      context.lineWidth = 0.5;
+      context.setLineDash([]);
+      context.stroke();
+    },
     disc([x, y], radius, color) {
       context.beginPath();
       context.arc(x, y, radius, 0, 2 * Math.PI);
@@ -45,8 +57,9 @@ export function canvasPainter(
       context.fillText(text, 0, 0);
       context.restore();
     },
-    image(pixels, { x, y, width: w, height: h }) {
-      context.imageSmoothingEnabled = false;
+    image(pixels, { x, y, width: w, height: h }, smooth = false) {
+      context.imageSmoothingEnabled = smooth;
+      context.imageSmoothingQuality = 'high';
       context.drawImage(bitmap(pixels), x, y, w, h);
     },
     clip({ x, y, width: w, height: h }, draw) {

@@ -1,22 +1,41 @@
-/** A plot with the angle to the right and the value upwards. */
+/** Plots with an angle or a parameter to the right and the value upwards. */
+import { sweepAngles } from '../../../analysis/plots/albedo-sweep.ts';
 import { channelOf } from '../../../analysis/plots/channel.ts';
-import { colors, type Plot, quantityOf, strandsOf, valuesOf } from './frame.ts';
+import type { Curve } from '../../../analysis/plots/curve.ts';
+import {
+  colors,
+  curveTable,
+  dashOf,
+  degrees,
+  lightFromPlane,
+  lightInPlane,
+  type Plot,
+  type PlottedCurve,
+  quantityOf,
+  strandsOf,
+  tenths,
+  turnedViewer,
+  type View,
+} from './frame.ts';
 import type { Area, Painter, Point } from './painter.ts';
-import { type Scale, valueScale } from './scale.ts';
-import type { BenchView } from './settings.ts';
+import { type Scale, shortNumber, valueScale } from './scale.ts';
+import { STEEPEST } from './settings.ts';
 
-const AXES: Readonly<Record<Exclude<BenchView, 'image' | 'polar'>, { label: string; from: number }>> = {
-  thetaL: { label: 'θl', from: -90 },
-  thetaH: { label: 'θh', from: 0 },
-  thetaD: { label: 'θd', from: 0 },
-  albedo: { label: 'θv', from: 0 },
-};
+interface Axis {
+  readonly label: string;
+  readonly from: number;
+  readonly to: number;
+  /** Distances between two lines, the closest first; the first that has room for its labels is taken. */
+  readonly steps: readonly number[];
+  text(value: number): string;
+}
 
-/** So much room has each label of an angle. */
+/** So much room has each label of the axis. */
 const LABEL_WIDTH = 38;
 const MARGIN = { left: 62, right: 18, top: 14, bottom: 36 };
+const REACH = 10;
 
-function cartesianArea(width: number, height: number): Area {
+function areaOf(width: number, height: number): Area {
   const { left, right, top, bottom } = MARGIN;
   return {
     x: left,
@@ -26,35 +45,136 @@ function cartesianArea(width: number, height: number): Area {
   };
 }
 
-const axisOf = (view: BenchView) => AXES[view as keyof typeof AXES];
+const angleText = (angle: number) => `${angle}°`.replace('-', '−');
 
-/** The angle under the pointer, or null beside the plot. */
-export function cartesianAngle(view: BenchView, width: number, height: number, [x, y]: Point): number | null {
-  const area = cartesianArea(width, height);
-  const part = (x - area.x) / area.width;
-  if (part < -0.02 || part > 1.02 || y < area.y || y > area.y + area.height) return null;
-  const { from } = axisOf(view);
-  return from + (90 - from) * Math.min(1, Math.max(0, part));
+function axisOf({ settings, parameter }: Plot): Axis {
+  const quarter = { from: 0, to: 90, steps: [10, 15, 30], text: angleText };
+  const turn = { from: 0, to: 360, steps: [30, 45, 90], text: angleText };
+  switch (settings.view) {
+    case 'thetaH':
+      return { ...quarter, label: 'θh' };
+    case 'thetaD':
+      return { ...quarter, label: 'θd' };
+    case 'albedo':
+      return { ...quarter, label: 'θv' };
+    case 'phi':
+      return { ...turn, label: settings.turns === 'half' ? 'φh' : 'φl' };
+    case 'sweep': {
+      const { min = 0, max = 1, name = '' } = parameter ?? {};
+      const steps = [0.1, 0.125, 0.25, 0.5].map((part) => part * (max - min));
+      return { label: name, from: min, to: max, steps, text: shortNumber };
+    }
+    default:
+      return { ...quarter, from: -90, label: 'θl' };
+  }
 }
 
-export function drawCartesian(painter: Painter, plot: Plot): void {
+interface Line {
+  readonly points: Curve;
+  /** Instead of that of the strand. */
+  readonly dash?: readonly number[];
+  readonly label?: string;
+}
+
+/** A curve has one line; over a parameter, one for each angle of the viewer. */
+function linesOf(curve: PlottedCurve, { settings }: Plot): Line[] {
+  if (settings.view !== 'sweep') return [{ points: curve.points }];
+  return sweepAngles.map((angle, i) => ({
+    points: curve.sweep.map(({ value, albedos }) => ({ angle: value, rgb: albedos[i] ?? [0, 0, 0] })),
+    dash: dashOf(i),
+    label: `θv ${angle}°`,
+  }));
+}
+
+function valueAt(area: Area, { from, to }: Axis, [x, y]: Point): number | null {
+  const part = (x - area.x) / area.width;
+  if (part < -0.02 || part > 1.02 || y < area.y || y > area.y + area.height) return null;
+  return from + (to - from) * Math.min(1, Math.max(0, part));
+}
+
+export const cartesianView: View = {
+  draw: drawCartesian,
+  probe(plot, width, height, at) {
+    const x = valueAt(areaOf(width, height), axisOf(plot), at);
+    return x === null ? null : { x };
+  },
+  where(probe, plot) {
+    const { label } = axisOf(plot);
+    return `${label} ${plot.settings.view === 'sweep' ? shortNumber(tenths(1000 * probe.x) / 1000) : degrees(probe.x)}`;
+  },
+  value: (curve, { x }) => curve.at(x)?.rgb,
+  grip(plot, width, height, at) {
+    const area = areaOf(width, height);
+    const axis = axisOf(plot);
+    const angle = valueAt(area, axis, at);
+    if (angle === null || plot.settings.view !== 'thetaL') return null;
+    const light = lightInPlane(plot.settings);
+    return light !== null &&
+      (Math.abs(angle - light) / 180) * area.width < REACH &&
+      at[1] > area.y + area.height - 24
+      ? 'l'
+      : 'v';
+  },
+  drag(plot, width, height, at, handle) {
+    const angle = valueAt(areaOf(width, height), axisOf(plot), at);
+    if (angle === null) return {};
+    if (handle === 'l') return lightFromPlane(angle, plot.settings);
+    return { thetaV: Math.min(STEEPEST, tenths(Math.abs(angle))) };
+  },
+  keys: (settings, right) => (settings.view === 'thetaL' ? turnedViewer(settings, right) : {}),
+  table(plot) {
+    const { settings, curves, parameter } = plot;
+    if (settings.view === 'sweep') {
+      const rows = (curves[0]?.sweep ?? []).flatMap(({ value }) =>
+        sweepAngles.map((angle, i) => ({
+          at: [value, angle],
+          values: curves.map((curve) => curve.sweep.find((point) => point.value === value)?.albedos[i]),
+        })),
+      );
+      return { head: [parameter?.name ?? 'parameter', 'theta_v_deg'], rows };
+    }
+    const names = { thetaH: 'theta_h', thetaD: 'theta_d', albedo: 'theta_v', thetaL: 'theta_l' };
+    const phi = settings.turns === 'half' ? 'phi_h' : 'phi_l';
+    const name = settings.view === 'phi' ? phi : names[settings.view as keyof typeof names];
+    return curveTable(`${name}_deg`, plot);
+  },
+};
+
+function drawCartesian(painter: Painter, plot: Plot): void {
   const { settings, curves, probe } = plot;
-  const area = cartesianArea(painter.width, painter.height);
+  const area = areaOf(painter.width, painter.height);
+  const axis = axisOf(plot);
+  const isAlbedo = settings.view === 'albedo' || settings.view === 'sweep';
+  const values = curves.flatMap((curve) =>
+    linesOf(curve, plot).flatMap(({ points }) =>
+      strandsOf(curve, settings.channel).flatMap(({ channel }) =>
+        points.map(({ rgb }) => channelOf(rgb, channel)),
+      ),
+    ),
+  );
   // An albedo is a share: 1 is always in sight, for a curve above it makes energy.
-  const values = settings.view === 'albedo' && !settings.log ? [...valuesOf(plot), 1] : valuesOf(plot);
-  const scale = valueScale(values, settings.log, settings.range);
-  const { from, label } = axisOf(settings.view);
-  const x = (angle: number) => area.x + ((angle - from) / (90 - from)) * area.width;
+  const scale = valueScale(isAlbedo && !settings.log ? [...values, 1] : values, settings.log, settings.range);
+  const x = (value: number) => area.x + ((value - axis.from) / (axis.to - axis.from)) * area.width;
   const y = (value: number) => area.y + area.height * (1 - scale.position(value));
+  const bottom = area.y + area.height;
+  const upright = (value: number, color: string, dash: readonly number[] = []) =>
+    painter.line(
+      [
+        [x(value), area.y],
+        [x(value), bottom],
+      ],
+      { color, dash },
+    );
 
-  drawGrid(painter, area, scale, x, from);
-  const middle = area.y + area.height / 2;
-  painter.text(label, [area.x + area.width, painter.height - 9], { color: colors.text, align: 'right' });
-  painter.text(quantityOf(settings), [12, middle], { color: colors.text, align: 'center', turn: -90 });
-
+  drawGrid(painter, area, scale, axis, x);
+  painter.text(axis.label, [area.x + area.width, painter.height - 9], { color: colors.text, align: 'right' });
+  painter.text(quantityOf(settings), [12, area.y + area.height / 2], {
+    color: colors.text,
+    align: 'center',
+    turn: -90,
+  });
   painter.clip({ ...area, y: area.y - 4, height: area.height + 8 }, () => {
-    const bottom = area.y + area.height;
-    if (settings.view === 'albedo') {
+    if (isAlbedo) {
       painter.line(
         [
           [area.x, y(1)],
@@ -63,41 +183,56 @@ export function drawCartesian(painter: Painter, plot: Plot): void {
         { color: colors.faint, dash: [4, 4] },
       );
     }
+    if (settings.view === 'sweep' && plot.parameter) upright(plot.parameter.value, colors.faint);
     if (settings.view === 'thetaL') {
-      for (const angle of [settings.thetaV, -settings.thetaV]) {
-        const dash = angle < 0 || settings.thetaV === 0 ? [] : [3, 4];
-        painter.line(
-          [
-            [x(angle), area.y],
-            [x(angle), bottom],
-          ],
-          { color: colors.faint, dash },
-        );
-      }
+      upright(-settings.thetaV, colors.faint);
+      if (settings.thetaV > 0) upright(settings.thetaV, colors.faint, [3, 4]);
     }
-    if (probe)
-      painter.line(
-        [
-          [x(probe.angle), area.y],
-          [x(probe.angle), bottom],
-        ],
-        { color: colors.axis },
-      );
+    if (probe) upright(probe.x, colors.axis);
     for (const curve of curves) {
-      for (const { channel, stroke } of strandsOf(curve, settings.channel)) {
-        painter.line(
-          curve.points.map(({ angle, rgb }) => [x(angle), y(channelOf(rgb, channel))]),
-          stroke,
-        );
-        const under = probe && curve.at(probe.angle);
-        if (under) painter.disc([x(under.angle), y(channelOf(under.rgb, channel))], 3.5, stroke.color);
+      for (const line of linesOf(curve, plot)) {
+        for (const { channel, stroke } of strandsOf(curve, settings.channel)) {
+          painter.line(
+            line.points.map(({ angle, rgb }) => [x(angle), y(channelOf(rgb, channel))]),
+            line.dash ? { ...stroke, dash: line.dash } : stroke,
+          );
+        }
       }
+      const under = probe && curve.at(probe.x);
+      if (!under) continue;
+      for (const { channel, stroke } of strandsOf(curve, settings.channel))
+        painter.disc([x(under.angle), y(channelOf(under.rgb, channel))], 3.5, stroke.color);
     }
   });
+  if (settings.view === 'sweep') drawAngleKey(painter, area);
   if (settings.view === 'thetaL') {
     painter.text('v', [x(-settings.thetaV) + 5, area.y + 7], { color: colors.guide });
     if (settings.thetaV > 0)
       painter.text('mirror', [x(settings.thetaV) + 5, area.y + 7], { color: colors.faint });
+    const light = lightInPlane(settings);
+    if (light !== null) {
+      painter.disc([x(light), bottom], 4, colors.light);
+      painter.text('l', [x(light) + 8, bottom - 8], { color: colors.light });
+    }
+  }
+}
+
+/** Which dashes mean which angle of the viewer. */
+function drawAngleKey(painter: Painter, area: Area): void {
+  painter.fill(
+    { x: area.x + 4, y: area.y + area.height - 37, width: 186, height: 34 },
+    `${colors.background}d0`,
+  );
+  for (const [i, angle] of sweepAngles.entries()) {
+    const [x, y] = [area.x + 10 + (i % 2) * 92, area.y + area.height - 26 + Math.floor(i / 2) * 15];
+    painter.line(
+      [
+        [x, y],
+        [x + 26, y],
+      ],
+      { color: colors.text, width: 1.5, dash: dashOf(i) },
+    );
+    painter.text(`θv ${angle}°`, [x + 33, y], { color: colors.text });
   }
 }
 
@@ -105,8 +240,8 @@ function drawGrid(
   painter: Painter,
   area: Area,
   scale: Scale,
-  x: (angle: number) => number,
-  from: number,
+  axis: Axis,
+  x: (value: number) => number,
 ): void {
   const bottom = area.y + area.height;
   for (const { at, label } of scale.ticks) {
@@ -120,17 +255,20 @@ function drawGrid(
     );
     painter.text(label, [area.x - 7, level], { color: colors.faint, align: 'right' });
   }
-  const perDegree = area.width / (90 - from);
-  const step = [10, 15].find((degrees) => degrees * perDegree >= LABEL_WIDTH) ?? 30;
-  for (let angle = Math.ceil(from / step) * step; angle <= 90; angle += step) {
-    const at = Math.round(x(angle)) + 0.5;
+  const perUnit = area.width / (axis.to - axis.from);
+  const step =
+    axis.steps.find((distance) => distance * perUnit >= LABEL_WIDTH) ?? (axis.steps.at(-1) as number);
+  const count = Math.round((axis.to - axis.from) / step);
+  for (let i = 0; i <= count; i++) {
+    const value = axis.from + i * step;
+    const at = Math.round(x(value)) + 0.5;
     painter.line(
       [
         [at, area.y],
         [at, bottom],
       ],
-      { color: angle === 0 ? colors.axis : colors.grid },
+      { color: value === 0 ? colors.axis : colors.grid },
     );
-    painter.text(`${angle}°`.replace('-', '−'), [at, bottom + 11], { color: colors.faint, align: 'center' });
+    painter.text(axis.text(value), [at, bottom + 11], { color: colors.faint, align: 'center' });
   }
 }

@@ -1,8 +1,10 @@
-/** The bench's settings beside the plot; those that a view does not have are hidden. */
+/** The bench's settings beside the plots; those that no view in sight has are hidden. */
+import { turning } from '../../../analysis/plots/azimuth-slice.ts';
 import { h } from '../../ui/dom.ts';
-import { row, selectField, switchField } from '../../ui/fields.ts';
+import { type Choice, row, selectField, switchField } from '../../ui/fields.ts';
 import { sliderField } from '../../ui/slider-field.ts';
 import { type BenchSettings, type BenchView, channelChoices } from './settings.ts';
+import { type ControlKey, viewInfo } from './views.ts';
 
 interface Control {
   readonly element: HTMLElement;
@@ -11,75 +13,112 @@ interface Control {
 
 export interface Controls {
   readonly element: HTMLElement;
-  show(settings: BenchSettings, terms: readonly string[]): void;
+  show(
+    settings: BenchSettings,
+    views: readonly BenchView[],
+    terms: readonly string[],
+    parameters: readonly string[],
+  ): void;
 }
 
-type NumberKey = 'thetaV' | 'phiV' | 'thetaH' | 'thetaD' | 'brightness' | 'range';
-type Change = (patch: Partial<BenchSettings>) => void;
+export interface ControlActions {
+  change(patch: Partial<BenchSettings>): void;
+  /** Puts the scene's first directional light where l is. */
+  placeLight(): void;
+}
 
-const curves: readonly BenchView[] = ['polar', 'thetaL', 'thetaH', 'thetaD', 'albedo'];
-const slices: readonly BenchView[] = ['polar', 'thetaL', 'thetaH', 'thetaD'];
+type NumberKey = 'thetaV' | 'phiV' | 'thetaL' | 'phiL' | 'thetaH' | 'thetaD' | 'brightness' | 'range';
+type BoolKey = 'log' | 'cosine' | 'chroma' | 'squareRoot' | 'doubleTheta';
 
-export function createControls(change: Change): Controls {
+export function createControls({ change, placeLight }: ControlActions): Controls {
   const angle = (key: NumberKey, label: string, tip: string, max: number) =>
     slider(change, key, { label, tip, min: 0, max, hardMin: 0, hardMax: max, unit: '°' });
-  const term = selectField('Term in the plots', [], (value) => change({ term: value }));
-  const channel = selectField(
-    'Channel',
-    channelChoices.map((value) => ({ value, label: value === 'rgb' ? 'RGB' : capital(value) })),
-    (value) => {
-      const found = channelChoices.find((choice) => choice === value);
-      if (found) change({ channel: found });
+  const term = select({
+    name: 'Term in the plots',
+    label: 'Term',
+    tip: 'One function of the model alone',
+    shown: (settings) => settings.term,
+    onChange: (value) => change({ term: value }),
+  });
+  const parameter = select({
+    name: 'Parameter of the plot',
+    label: 'Parameter',
+    tip: 'What grows to the right',
+    shown: (settings) => settings.parameter,
+    onChange: (value) => change({ parameter: value }),
+  });
+  const channelChoice = (key: 'channel' | 'tint', label: string, tip: string) =>
+    select({
+      name: label,
+      label,
+      tip,
+      choices: channelChoices.map((value) => ({ value, label: value === 'rgb' ? 'RGB' : capital(value) })),
+      shown: (settings) => settings[key],
+      onChange(value) {
+        const found = channelChoices.find((choice) => choice === value);
+        if (found) change({ [key]: found });
+      },
+    });
+  const turns = select({
+    name: 'What turns',
+    label: 'Turns',
+    tip: 'What goes round the normal',
+    choices: turning.map((value) => ({ value, label: value === 'half' ? 'Half vector' : 'Light' })),
+    shown: (settings) => settings.turns,
+    onChange(value) {
+      const found = turning.find((choice) => choice === value);
+      if (found) change({ turns: found });
     },
-  );
-  const controls: readonly (Control & { views: readonly BenchView[] | null })[] = [
-    {
-      ...angle('thetaV', 'θv', 'Angle between the normal and the viewer; drag in the plot', 89),
-      views: ['polar', 'thetaL'],
-    },
-    { ...angle('thetaD', 'θd', 'Half the angle between light and viewer', 89), views: ['thetaH'] },
-    { ...angle('thetaH', 'θh', 'Angle between the normal and the half vector', 89), views: ['thetaD'] },
-    {
-      ...angle('phiV', 'φ', 'Azimuth from the tangent: of the viewer, or of the half vector', 360),
-      views: curves,
-    },
-    {
-      element: row({ label: 'Term', tip: 'One function of the model alone' }, term.element),
-      show: (s) => term.show(s.term),
-      views: null,
-    },
-    {
-      element: row({ label: 'Channel' }, channel.element),
-      show: (s) => channel.show(s.channel),
-      views: null,
-    },
-    { ...toggle(change, 'log', 'Log', 'A logarithmic axis of values'), views: curves },
-    {
-      ...toggle(change, 'cosine', 'Times n·l', 'Multiply by the cosine at the light'),
-      views: [...slices, 'image'],
-    },
-    {
-      ...slider(change, 'range', {
-        label: 'Range',
-        tip: 'Where the axis of values ends; 0 finds it',
-        min: 0.1,
-        max: 1000,
-        hardMin: 0,
-        scale: 'log',
-      }),
-      views: curves,
-    },
-    {
-      ...slider(change, 'brightness', { label: 'Brightness', tip: 'In stops', min: -6, max: 6, unit: 'EV' }),
-      views: ['image'],
-    },
-  ];
+  });
+
+  const controls: Readonly<Record<ControlKey, Control>> = {
+    turns,
+    thetaV: angle('thetaV', 'θv', 'Angle between the normal and the viewer; drag v in the plot', 89),
+    phiV: angle('phiV', 'φ', 'Azimuth from the tangent: of the viewer, or of the half vector', 360),
+    thetaL: angle('thetaL', 'θl', 'Angle between the normal and the light; drag l in the plot', 89),
+    phiL: angle('phiL', 'φl', 'Azimuth of the light from the tangent', 360),
+    light: lightControl(change, placeLight),
+    thetaD: angle('thetaD', 'θd', 'Half the angle between light and viewer', 89),
+    thetaH: angle('thetaH', 'θh', 'Angle between the normal and the half vector', 89),
+    parameter,
+    term,
+    channel: channelChoice('channel', 'Channel', 'Of curves and lobes'),
+    tint: channelChoice('tint', 'Picture', 'What pictures show'),
+    log: toggle(change, 'log', 'Log', 'Logarithmic values'),
+    cosine: toggle(change, 'cosine', 'Times n·l', 'Multiply by the cosine at the light'),
+    range: slider(change, 'range', {
+      label: 'Range',
+      tip: 'Where the axis of values ends; 0 finds it',
+      min: 0.1,
+      max: 1000,
+      hardMin: 0,
+      scale: 'log',
+    }),
+    brightness: slider(change, 'brightness', {
+      label: 'Brightness',
+      tip: 'Of pictures, in stops',
+      min: -6,
+      max: 6,
+      unit: 'EV',
+    }),
+    chroma: toggle(change, 'chroma', 'Chroma', 'The colour alone, as bright as can be'),
+    squareRoot: toggle(change, 'squareRoot', '√θh', 'More room for the highlight, which is at small θh'),
+    doubleTheta: toggle(
+      change,
+      'doubleTheta',
+      'Double θl',
+      'Look down the normal with the light at twice θl: the highlight is then at θl',
+    ),
+  };
+  const entries = Object.entries(controls) as [ControlKey, Control][];
   return {
-    element: h('div', { class: 'bench-controls' }, ...controls.map((control) => control.element)),
-    show(settings, terms) {
+    element: h('div', { class: 'bench-controls' }, ...entries.map(([, control]) => control.element)),
+    show(settings, views, terms, parameters) {
+      const wanted = new Set(views.flatMap((view) => viewInfo[view].controls));
       term.setChoices(terms.map((value) => ({ value, label: value === 'BRDF' ? 'Whole model' : value })));
-      for (const { element, show, views } of controls) {
-        element.hidden = views !== null && !views.includes(settings.view);
+      parameter.setChoices(parameters.map((value) => ({ value, label: value })));
+      for (const [key, { element, show }] of entries) {
+        element.hidden = !wanted.has(key);
         show(settings);
       }
     },
@@ -97,6 +136,8 @@ interface SliderSettings {
   readonly scale?: 'log';
 }
 
+type Change = ControlActions['change'];
+
 function slider(change: Change, key: NumberKey, { tip, ...options }: SliderSettings): Control {
   const field = sliderField({ ...options, onChange: (value) => change({ [key]: value }) });
   const element = row({ label: options.label, tip }, field.element);
@@ -104,11 +145,54 @@ function slider(change: Change, key: NumberKey, { tip, ...options }: SliderSetti
   return { element, show: (settings) => field.show(settings[key]) };
 }
 
-function toggle(change: Change, key: 'log' | 'cosine', label: string, tip: string): Control {
+function toggle(change: Change, key: BoolKey, label: string, tip: string): Control {
   const field = switchField(label, (value) => change({ [key]: value }));
   const element = row({ label, tip }, field.element);
   element.dataset.bench = key;
   return { element, show: (settings) => field.show(settings[key]) };
+}
+
+function lightControl(change: Change, placeLight: () => void): Control {
+  const label = 'Scene light';
+  const field = switchField(label, (lightInStep) => change({ lightInStep }));
+  const place = h(
+    'button',
+    {
+      type: 'button',
+      class: 'text-button',
+      tip: "Put the scene's first directional light where l is over a horizontal surface",
+    },
+    'Place',
+  );
+  place.addEventListener('click', placeLight);
+  const element = row(
+    { label, tip: 'Keep l and the first directional light of the scene in step' },
+    h('div', { class: 'bench-light' }, field.element, place),
+  );
+  element.dataset.bench = 'light';
+  return { element, show: (settings) => field.show(settings.lightInStep) };
+}
+
+interface SelectControl extends Control {
+  setChoices(choices: readonly Choice[]): void;
+}
+
+interface SelectSettings {
+  readonly name: string;
+  readonly label: string;
+  readonly tip?: string;
+  readonly choices?: readonly Choice[];
+  shown(settings: BenchSettings): string;
+  onChange(value: string): void;
+}
+
+function select({ name, label, tip, choices = [], shown, onChange }: SelectSettings): SelectControl {
+  const field = selectField(name, choices, onChange);
+  return {
+    element: row({ label, tip }, field.element),
+    setChoices: field.setChoices,
+    show: (settings) => field.show(shown(settings)),
+  };
 }
 
 const capital = (text: string) => text.charAt(0).toUpperCase() + text.slice(1);

@@ -1,12 +1,12 @@
-/** The present view as a file: SVG and PNG from the same drawing, CSV from the numbers. */
+/** A view as a file: SVG and PNG from the same drawing, CSV from the numbers. */
 import { channelOf } from '../../../analysis/plots/channel.ts';
 import type { Rgb } from '../../../analysis/plots/curve.ts';
-import { imageAngles } from '../../../analysis/plots/image-slice.ts';
 import { canvasPainter } from './canvas-painter.ts';
-import { drawPlot } from './draw.ts';
 import { colors, dashOf, type Plot } from './frame.ts';
 import type { Painter } from './painter.ts';
+import { drawPlot } from './pane.ts';
 import { svgPainter } from './svg-painter.ts';
+import { viewInfo } from './views.ts';
 
 const LEGEND_ROW = 18;
 /** For print and for screens of twice the density. */
@@ -49,42 +49,17 @@ function drawWithLegend(painter: Painter, plot: Plot, height: number): void {
 }
 
 /** Every number in full: what is read back is what was computed. */
-export function exportCsv({ settings, curves }: Plot): Blob {
+export function exportCsv(plot: Plot): Blob {
   const columns = ['red', 'green', 'blue', 'luminance'];
   const cells = (rgb: Rgb | undefined) =>
     rgb ? [...rgb, channelOf(rgb, 'luminance')].map(String) : columns.map(() => '');
-  const names = curves.flatMap(({ name }) => columns.map((column) => quoted(`${name} ${column}`)));
-  const rows: string[][] = [];
-  if (settings.view === 'image') {
-    rows.push(['theta_h_deg', 'theta_d_deg', ...names]);
-    const size = Math.min(...curves.map((curve) => curve.image?.size ?? 0));
-    for (let i = 0; i < size * size; i++) {
-      const { thetaH, thetaD } = imageAngles(
-        ((i % size) + 0.5) / size,
-        1 - (Math.floor(i / size) + 0.5) / size,
-      );
-      const values = curves.flatMap(({ image }) => {
-        const [r = 0, g = 0, b = 0] = image?.size === size ? image.pixels.subarray(3 * i, 3 * i + 3) : [];
-        return cells(image?.size === size ? [r, g, b] : undefined);
-      });
-      rows.push([String(thetaH), String(thetaD), ...values]);
-    }
-  } else {
-    const axis = {
-      polar: 'theta_l',
-      thetaL: 'theta_l',
-      thetaH: 'theta_h',
-      thetaD: 'theta_d',
-      albedo: 'theta_v',
-    };
-    rows.push([`${axis[settings.view]}_deg`, ...names]);
-    const angles = new Set(curves.flatMap((curve) => curve.points.map((point) => point.angle)));
-    const tables = curves.map(({ points }) => new Map(points.map(({ angle, rgb }) => [angle, rgb])));
-    for (const angle of [...angles].sort((a, b) => a - b)) {
-      rows.push([String(angle), ...tables.flatMap((table) => cells(table.get(angle)))]);
-    }
-  }
-  return new Blob([rows.map((row) => `${row.join(',')}\n`).join('')], { type: 'text/csv' });
+  const names = plot.curves.flatMap(({ name }) => columns.map((column) => quoted(`${name} ${column}`)));
+  const { head = [], rows = [] } = viewInfo[plot.settings.view].view?.table(plot) ?? {};
+  const lines = rows.map(({ at, values }) => [...at.map(String), ...values.flatMap(cells)]);
+  return new Blob(
+    [[...head, ...names], ...lines].map((line) => `${line.join(',')}\n`),
+    { type: 'text/csv' },
+  );
 }
 
 const quoted = (text: string) => `"${text.replaceAll('"', '""')}"`;

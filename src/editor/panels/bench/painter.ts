@@ -33,10 +33,13 @@ export interface Painter {
   readonly height: number;
   fill(area: Area, color: string): void;
   line(points: readonly Point[], stroke: Stroke): void;
+  /** @param edge of a line half a unit wide; in the polygon's own colour it closes the seam to the next one */
+  polygon(points: readonly Point[], color: string, edge: string | null): void;
   disc(center: Point, radius: number, color: string): void;
   /** Centred on y. */
   text(text: string, at: Point, style: TextStyle): void;
-  image(pixels: Pixels, area: Area): void;
+  /** @param smooth between the pixels, for pictures of things; data shows its own pixels */
+  image(pixels: Pixels, area: Area, smooth?: boolean): void;
   /** Draws only inside the area. */
   clip(area: Area, draw: () => void): void;
 }

@@ -1,50 +1,96 @@
-/** From subjects to what is drawn: slices at once, the rest as far as the worker has come. */
-
+/** From subjects to what is drawn: slices at once, the rest as far as the workers have come. */
+import { azimuthSlice, azimuthSliceAt } from '../../../analysis/plots/azimuth-slice.ts';
 import type { Curve, CurvePoint, Reflectance } from '../../../analysis/plots/curve.ts';
 import { differenceSlice, differenceSliceAt } from '../../../analysis/plots/difference-slice.ts';
 import { halfSlice, halfSliceAt } from '../../../analysis/plots/half-slice.ts';
 import { lightSlice, lightSliceAt } from '../../../analysis/plots/light-slice.ts';
+import type { TriangleMesh } from '../../../analysis/plots/surface.ts';
 import type { Background } from './background.ts';
-import type { PlottedCurve } from './frame.ts';
+import type { PlottedCurve, SweptParameter } from './frame.ts';
+import type { Result, Task } from './jobs.ts';
+import { azimuthOptions, imageOptions, lightOptions, litOptions } from './plot-options.ts';
 import type { Evaluators, Subject } from './series.ts';
-import type { BenchSettings } from './settings.ts';
+import type { PaneSettings } from './settings.ts';
+
+/** The same one always, by which a pane sees that nothing has changed. */
+const EMPTY: readonly never[] = [];
 
 export interface PlotData {
   readonly curves: readonly PlottedCurve[];
-  /** Of what the worker is at; 1 when there is nothing to wait for. */
+  /** Of what the workers are at; 1 when there is nothing to wait for. */
   readonly progress: number;
+}
+
+export interface PlotSources {
+  readonly evaluators: Evaluators;
+  readonly background: Background;
+  /** The shape of the lit object; null while there is none. */
+  readonly mesh: () => TriangleMesh | null;
+  readonly parameter: SweptParameter | null;
 }
 
 export function plotData(
   subjects: readonly Subject[],
-  settings: BenchSettings,
-  evaluators: Evaluators,
-  background: Background,
+  settings: PaneSettings,
+  sources: PlotSources,
 ): PlotData {
   const curves: PlottedCurve[] = [];
   const parts: number[] = [];
+  const task = taskOf(settings, sources);
   for (const [index, subject] of subjects.entries()) {
     if (settings.solo !== null && settings.solo !== subject.id) continue;
-    const f = reflectanceOf(evaluators, subject, settings.term);
+    const f = reflectanceOf(sources.evaluators, subject, settings.term);
     if (!f) continue;
     const { id, name, color } = subject;
-    const common = { id, name, color, index };
-    if (settings.view === 'albedo' || settings.view === 'image') {
-      const { view, phiV, cosine } = settings;
-      const task = view === 'albedo' ? ({ kind: view, phiV } as const) : ({ kind: view, cosine } as const);
-      const result = background.ask(subject, settings.term, task);
-      parts.push(result?.progress ?? 0);
-      const points = result?.curve ?? [];
-      curves.push({
-        ...common,
-        points,
-        image: result?.image ?? null,
-        f,
-        at: (angle) => between(points, angle),
-      });
-    } else curves.push({ ...common, image: null, f, ...slice(f, settings) });
+    const common = { id, name, color, index, f, sweep: EMPTY, lobe: null, picture: null };
+    if (!task) {
+      curves.push({ ...common, ...slice(f, settings) });
+      continue;
+    }
+    const result = sources.background.ask(subject, settings.term, task);
+    parts.push(result?.progress ?? 0);
+    curves.push({ ...common, ...partsOf(result) });
   }
   return { curves, progress: parts.length ? parts.reduce((a, b) => a + b) / parts.length : 1 };
+}
+
+/** What a view asks the workers for; null if it is computed at once, or cannot be. */
+function taskOf(settings: PaneSettings, { background, mesh, parameter }: PlotSources): Task | null {
+  const { view: kind, phiV } = settings;
+  switch (kind) {
+    case 'albedo':
+      return { kind, phiV };
+    case 'sweep': {
+      if (!parameter) return null;
+      const { name, min, max } = parameter;
+      return { kind, parameter: name, min, max, phiV };
+    }
+    case 'image':
+      return { kind, options: imageOptions(settings) };
+    case 'map':
+      return { kind, options: azimuthOptions(settings) };
+    case 'lobe':
+      return { kind, options: lightOptions(settings) };
+    case 'sphere':
+      return { kind, options: litOptions(settings) };
+    case 'object': {
+      const triangles = mesh();
+      return triangles && { kind, mesh: background.shape(triangles), options: litOptions(settings) };
+    }
+    default:
+      return null;
+  }
+}
+
+type Parts = Pick<PlottedCurve, 'points' | 'at' | 'sweep' | 'lobe' | 'picture'>;
+
+function partsOf(result: Result | null): Parts {
+  const { sweep = EMPTY, lobe = null, picture = null } = result ?? {};
+  // The probe over a parameter reads the first angle's line.
+  const first = sweep.map(({ value, albedos }) => ({ angle: value, rgb: albedos[0] ?? [0, 0, 0] }));
+  const points = result?.curve ?? EMPTY;
+  const line = sweep.length ? first : points;
+  return { points, sweep, lobe, picture, at: (angle) => between(line, angle) };
 }
 
 function reflectanceOf(evaluators: Evaluators, subject: Subject, term: string): Reflectance | null {
@@ -56,18 +102,44 @@ function reflectanceOf(evaluators: Evaluators, subject: Subject, term: string): 
   }
 }
 
-function slice(
-  f: Reflectance,
-  settings: BenchSettings,
-): { points: Curve; at: (angle: number) => CurvePoint | null } {
+interface Slice {
+  readonly points: Curve;
+  at(angle: number): CurvePoint | null;
+}
+
+/** Panes are drawn again when any part of another pane comes: what did not change is not computed again. */
+const slices = new WeakMap<Reflectance, Map<string, Slice>>();
+const MOST_SLICES = 24;
+
+function slice(f: Reflectance, settings: PaneSettings): Slice {
+  const { view, thetaV, phiV, thetaL, thetaH, thetaD, turns, cosine } = settings;
+  const key = JSON.stringify([view, thetaV, phiV, thetaL, thetaH, thetaD, turns, cosine]);
+  const known = slices.get(f) ?? new Map<string, Slice>();
+  slices.set(f, known);
+  const kept = known.get(key);
+  if (kept) return kept;
+  if (known.size >= MOST_SLICES) known.clear();
+  const fresh = computeSlice(f, settings);
+  known.set(key, fresh);
+  return fresh;
+}
+
+function computeSlice(f: Reflectance, settings: PaneSettings): Slice {
   const options = { ...settings, phiH: settings.phiV };
   switch (settings.view) {
+    case 'polar':
+    case 'thetaL':
+      return { points: lightSlice(f, options), at: (angle) => lightSliceAt(f, angle, options) };
     case 'thetaH':
       return { points: halfSlice(f, options), at: (angle) => halfSliceAt(f, angle, options) };
     case 'thetaD':
       return { points: differenceSlice(f, options), at: (angle) => differenceSliceAt(f, angle, options) };
+    case 'phi': {
+      const azimuth = azimuthOptions(settings);
+      return { points: azimuthSlice(f, azimuth), at: (angle) => azimuthSliceAt(f, angle, azimuth) };
+    }
     default:
-      return { points: lightSlice(f, options), at: (angle) => lightSliceAt(f, angle, options) };
+      return { points: EMPTY, at: () => null };
   }
 }
 

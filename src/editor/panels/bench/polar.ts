@@ -1,21 +1,44 @@
 /** The slice in the plane of incidence as one sees it from the side: the surface below, the normal upwards. */
 import { channelOf } from '../../../analysis/plots/channel.ts';
-import { colors, type Plot, quantityOf, strandsOf, valuesOf } from './frame.ts';
+import {
+  colors,
+  curveTable,
+  degrees,
+  lightFromPlane,
+  lightInPlane,
+  type Plot,
+  quantityOf,
+  strandsOf,
+  tenths,
+  turnedViewer,
+  type View,
+  valuesOf,
+} from './frame.ts';
 import type { Painter, Point } from './painter.ts';
 import { valueScale } from './scale.ts';
+import { STEEPEST } from './settings.ts';
 
 interface Fan {
   readonly center: Point;
   readonly radius: number;
 }
 
+/** How near to a handle a drag takes hold of it, CSS pixels. */
+const REACH = 14;
+
 function fanOf(width: number, height: number): Fan {
   const radius = Math.max(20, Math.min(height - 58, width / 2 - 40));
-  return { center: [width / 2, height - 30], radius };
+  const free = Math.max(0, height - 58 - radius);
+  return { center: [width / 2, height - 30 - free / 2], radius };
+}
+
+function pointAt({ center, radius }: Fan, angle: number, part: number): Point {
+  const theta = (angle * Math.PI) / 180;
+  return [center[0] + radius * part * Math.sin(theta), center[1] - radius * part * Math.cos(theta)];
 }
 
 /** theta_l under the pointer, negative on the viewer's side; null beside the plot. */
-export function polarAngle(width: number, height: number, [x, y]: Point): number | null {
+function angleUnder(width: number, height: number, [x, y]: Point): number | null {
   const { center, radius } = fanOf(width, height);
   const [dx, dy] = [x - center[0], center[1] - y];
   const distance = Math.hypot(dx, dy);
@@ -23,14 +46,36 @@ export function polarAngle(width: number, height: number, [x, y]: Point): number
   return Math.max(-90, Math.min(90, (Math.atan2(dx, dy) * 180) / Math.PI));
 }
 
-export function drawPolar(painter: Painter, plot: Plot): void {
+export const polarView: View = {
+  draw: drawPolar,
+  probe(_plot, width, height, at) {
+    const x = angleUnder(width, height, at);
+    return x === null ? null : { x };
+  },
+  where: ({ x }) => `θl ${degrees(x)}`,
+  value: (curve, { x }) => curve.at(x)?.rgb,
+  grip({ settings }, width, height, at) {
+    if (angleUnder(width, height, at) === null) return null;
+    const angle = lightInPlane(settings);
+    const [x, y] = pointAt(fanOf(width, height), angle ?? 0, 1);
+    return angle !== null && Math.hypot(at[0] - x, at[1] - y) < REACH ? 'l' : 'v';
+  },
+  drag({ settings }, width, height, at, handle) {
+    const angle = angleUnder(width, height, at);
+    if (angle === null) return {};
+    if (handle === 'l') return lightFromPlane(angle, settings);
+    return { thetaV: Math.min(STEEPEST, tenths(Math.abs(angle))) };
+  },
+  keys: turnedViewer,
+  table: (plot) => curveTable('theta_l_deg', plot),
+};
+
+function drawPolar(painter: Painter, plot: Plot): void {
   const { settings, curves, probe } = plot;
-  const { center, radius } = fanOf(painter.width, painter.height);
+  const fan = fanOf(painter.width, painter.height);
+  const { center, radius } = fan;
   const scale = valueScale(valuesOf(plot), settings.log, settings.range);
-  const at = (angle: number, part: number): Point => {
-    const theta = (angle * Math.PI) / 180;
-    return [center[0] + radius * part * Math.sin(theta), center[1] - radius * part * Math.cos(theta)];
-  };
+  const at = (angle: number, part: number): Point => pointAt(fan, angle, part);
   const arc = (part: number) => Array.from({ length: 91 }, (_, i) => at(-90 + 2 * i, part));
 
   for (let angle = -90; angle <= 90; angle += 15) {
@@ -55,7 +100,12 @@ export function drawPolar(painter: Painter, plot: Plot): void {
   painter.line([center, at(-settings.thetaV, 1)], { color: colors.guide });
   painter.disc(at(-settings.thetaV, 1), 4, colors.guide);
   painter.text('v', at(-settings.thetaV - 4, 1 - 14 / radius), { color: colors.guide, align: 'center' });
-  if (probe) painter.line([center, at(probe.angle, 1)], { color: colors.axis });
+  const light = lightInPlane(settings);
+  if (light !== null) {
+    painter.disc(at(light, 1), 4, colors.light);
+    painter.text('l', at(light + 4, 1 - 14 / radius), { color: colors.light, align: 'center' });
+  }
+  if (probe) painter.line([center, at(probe.x, 1)], { color: colors.axis });
 
   painter.clip({ x: 0, y: 0, width: painter.width, height: center[1] + 1 }, () => {
     for (const curve of curves) {
@@ -66,7 +116,7 @@ export function drawPolar(painter: Painter, plot: Plot): void {
           curve.points.map(({ angle, rgb }) => place(angle, rgb)),
           stroke,
         );
-        const under = probe && curve.at(probe.angle);
+        const under = probe && curve.at(probe.x);
         if (under) painter.disc(place(under.angle, under.rgb), 3.5, stroke.color);
       }
     }

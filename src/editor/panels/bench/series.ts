@@ -1,10 +1,12 @@
 /** The curves of the bench: one that follows the selected material, one for each pin. */
 import type { Reflectance } from '../../../analysis/plots/curve.ts';
+import type { FloatParameter } from '../../../brdf/model.ts';
 import { createEvaluator, type Evaluator } from '../../../glsl/evaluator.ts';
 import { findModel, modelOrigin } from '../../../scene/models.ts';
 import type { Document } from '../../../scene/schema.ts';
 import { selectedMaterial } from '../../selected-material.ts';
 import type { Selection } from '../../state.ts';
+import type { SweptParameter } from './frame.ts';
 import { CURRENT, CURRENT_COLOR, type OwnModel, type Pin } from './settings.ts';
 
 /** A model, its parameters and where the model comes from: enough to evaluate it, here or in a worker. */
@@ -51,6 +53,27 @@ export function termsOf(subject: Subject): readonly string[] {
   }
 }
 
+/** A number of the first subject's model: that of the given name, or the first there is. */
+export function sweptParameter(subject: Subject | undefined, name: string): SweptParameter | null {
+  const numbers = numbersOf(subject);
+  const found = numbers.find((parameter) => parameter.name === name) ?? numbers[0];
+  if (!found || !subject) return null;
+  const value = subject.parameters[found.name];
+  const { min, max } = found;
+  return { name: found.name, min, max, value: typeof value === 'number' ? value : found.default };
+}
+
+/** The parameters of a subject's model that are numbers. */
+export function numbersOf(subject: Subject | undefined): readonly FloatParameter[] {
+  try {
+    const parameters = (subject && modelOf(subject)?.parameters) ?? [];
+    return parameters.filter((parameter) => parameter.type === 'float');
+  } catch {
+    // As in termsOf().
+    return [];
+  }
+}
+
 function modelOf({ model, source }: Pick<Subject, 'model' | 'source'>) {
   return findModel(source ?? { models: {}, assets: {} }, model);
 }
@@ -62,20 +85,29 @@ export function evaluatorOf(subject: Pick<Subject, 'model' | 'source' | 'paramet
   return createEvaluator(model, subject.parameters);
 }
 
+interface Kept {
+  readonly subject: Subject;
+  readonly term: string;
+  readonly evaluator: Evaluator;
+  readonly f: Reflectance;
+}
+
 /** Keeps an evaluator for each subject: making one is far slower than setting its parameters. */
 export class Evaluators {
-  readonly #kept = new Map<string, { subject: Subject; evaluator: Evaluator }>();
+  readonly #kept = new Map<string, Kept>();
 
-  /** The subject's model or term as a function; null where there is none. */
+  /** The subject's model or term as a function, the same one as long as both stay; null where there is none. */
   reflectance(subject: Subject, term: string): Reflectance | null {
     if (!termsOf(subject).includes(term)) return null;
     const kept = this.#kept.get(subject.id);
-    let evaluator = kept?.evaluator;
-    if (kept && evaluator && kept.subject.model === subject.model && kept.subject.source === subject.source) {
-      if (kept.subject.parameters !== subject.parameters) evaluator.set(subject.parameters);
-    } else evaluator = evaluatorOf(subject);
-    this.#kept.set(subject.id, { subject, evaluator });
-    const { f } = evaluator;
-    return (l, v) => f(l, v, undefined, term);
+    const sameModel = kept?.subject.model === subject.model && kept.subject.source === subject.source;
+    const sameValues = kept?.subject.parameters === subject.parameters;
+    if (kept && sameModel && sameValues && kept.term === term) return kept.f;
+    const evaluator = kept && sameModel ? kept.evaluator : evaluatorOf(subject);
+    if (sameModel && !sameValues) evaluator.set(subject.parameters);
+    const { f: evaluate } = evaluator;
+    const f: Reflectance = (l, v) => evaluate(l, v, undefined, term);
+    this.#kept.set(subject.id, { subject, term, evaluator, f });
+    return f;
   }
 }

@@ -1,8 +1,23 @@
 /** What the bench shows; a part of the editor's state. */
+import type { Turning } from '../../../analysis/plots/azimuth-slice.ts';
 import { type Channel, channels } from '../../../analysis/plots/channel.ts';
 import type { Document } from '../../../scene/schema.ts';
 
-export const views = ['polar', 'thetaL', 'thetaH', 'thetaD', 'albedo', 'image'] as const;
+export const views = [
+  'polar',
+  'lobe',
+  'thetaL',
+  'thetaH',
+  'thetaD',
+  'phi',
+  'albedo',
+  'sweep',
+  'image',
+  'map',
+  'sphere',
+  'object',
+  'verdict',
+] as const;
 export type BenchView = (typeof views)[number];
 
 /** A model that is not shipped but a document's own: of that document, what belongs to it. */
@@ -20,23 +35,55 @@ export interface Pin {
 }
 
 export interface BenchSettings {
-  readonly view: BenchView;
+  /** Those of the full page; the dock has the active one alone. */
+  readonly panes: readonly BenchView[];
+  readonly active: number;
   /** Degrees, all of them. */
   readonly thetaV: number;
   readonly phiV: number;
+  readonly thetaL: number;
+  readonly phiL: number;
   readonly thetaH: number;
   readonly thetaD: number;
+  /** What goes round in the views over the azimuth. */
+  readonly turns: Turning;
+  /** The parameter of the view over a parameter; the model's first number if it has none of that name. */
+  readonly parameter: string;
   readonly channel: Channel | 'rgb';
   readonly log: boolean;
   readonly cosine: boolean;
   readonly term: string;
   /** The end of the axis of values; 0 finds it. */
   readonly range: number;
-  /** EV of the image slice. */
+  /** Of pictures, which are looked at in colour more often than curves. */
+  readonly tint: Channel | 'rgb';
+  /** EV of pictures. */
   readonly brightness: number;
+  /** Pictures show the colour alone, as bright as can be. */
+  readonly chroma: boolean;
+  /** theta_h on a square-root axis. */
+  readonly squareRoot: boolean;
+  readonly doubleTheta: boolean;
+  /** Where one looks at the lobe from, degrees: about the normal, and above the surface. */
+  readonly azimuth: number;
+  readonly elevation: number;
+  /** The scene's first directional light stands where l does, and the other way round. */
+  readonly lightInStep: boolean;
   readonly pins: readonly Pin[];
   /** The only curve that is drawn: a pin's id or CURRENT. */
   readonly solo: string | null;
+}
+
+/** The largest angle to the normal that the viewer and the light can be given, degrees. */
+export const STEEPEST = 89;
+
+/** The settings as one pane has them. */
+export interface PaneSettings extends BenchSettings {
+  readonly view: BenchView;
+}
+
+export function paneSettings(bench: BenchSettings, pane: number): PaneSettings {
+  return { ...bench, view: bench.panes[pane] ?? 'polar' };
 }
 
 /** The id of the curve that follows the selected material. */
@@ -47,17 +94,29 @@ const PIN_COLORS = ['#6b9fe6', '#85bd6b', '#d98bd0', '#5fc4c0', '#e5766f', '#b9a
 export const channelChoices = ['luminance', 'rgb', ...channels.slice(1)] as const;
 
 export const initialSettings: BenchSettings = {
-  view: 'polar',
+  panes: ['polar', 'lobe', 'sphere', 'thetaH', 'albedo', 'image'],
+  active: 0,
   thetaV: 45,
   phiV: 0,
+  thetaL: 20,
+  phiL: 180,
   thetaH: 0,
   thetaD: 0,
+  turns: 'light',
+  parameter: 'roughness',
   channel: 'luminance',
   log: false,
   cosine: false,
   term: 'BRDF',
   range: 0,
+  tint: 'rgb',
   brightness: 0,
+  chroma: false,
+  squareRoot: true,
+  doubleTheta: false,
+  azimuth: 62,
+  elevation: 20,
+  lightInStep: false,
   pins: [],
   solo: null,
 };

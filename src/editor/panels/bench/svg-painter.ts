@@ -26,6 +26,11 @@ export function svgPainter(width: number, height: number): SvgPainter {
         `<polyline points="${path}" fill="none" stroke="${color}" stroke-width="${lineWidth}" stroke-linejoin="round"${dashes}/>`,
       );
     },
+    polygon(points, color, edge) {
+      const path = points.map(([x, y]) => `${number(x)},${number(y)}`).join(' ');
+      const stroke = edge === null ? '' : ` stroke="${edge}" stroke-width=".5"`;
+      parts.push(`<polygon points="${path}" fill="${color}"${stroke}/>`);
+    },
     disc([x, y], radius, color) {
       parts.push(`<circle cx="${number(x)}" cy="${number(y)}" r="${number(radius)}" fill="${color}"/>`);
     },
@@ -36,10 +41,10 @@ export function svgPainter(width: number, height: number): SvgPainter {
         `<text x="${number(x)}" y="${number(y)}" dy=".35em" fill="${color}" text-anchor="${anchor}"${turned}>${escaped(text)}</text>`,
       );
     },
-    image({ width: w, height: h, rgba }, area) {
+    image({ width: w, height: h, rgba }, area, smooth = false) {
       const png = encodeBase64(encodePng(new Uint8Array(rgba), w, h));
       parts.push(
-        `<image ${box(area.x, area.y, area.width, area.height)} preserveAspectRatio="none" image-rendering="pixelated" href="data:image/png;base64,${png}"/>`,
+        `<image ${box(area.x, area.y, area.width, area.height)} preserveAspectRatio="none" image-rendering="${smooth ? 'auto' : 'pixelated'}" href="data:image/png;base64,${png}"/>`,
       );
     },
     clip({ x, y, width: w, height: h }, draw) {

@@ -1,15 +1,7 @@
 /** The views of the bench: one tab stop, arrow keys between them (WAI-ARIA tabs). */
 import { h } from '../../ui/dom.ts';
 import { type BenchView, views } from './settings.ts';
-
-const TITLES: Readonly<Record<BenchView, { label: string; tip: string }>> = {
-  polar: { label: 'Polar', tip: 'The plane of incidence from the side' },
-  thetaL: { label: 'θl', tip: 'Over the angle of the light, in the plane of incidence' },
-  thetaH: { label: 'θh', tip: 'Over the angle of the half vector: the highlight' },
-  thetaD: { label: 'θd', tip: 'Over the difference angle: Fresnel, grazing light' },
-  albedo: { label: 'Albedo', tip: 'The share of light that is reflected, over the angle of the viewer' },
-  image: { label: 'Image', tip: 'All of θh and θd at once' },
-};
+import { viewInfo } from './views.ts';
 
 export interface Tabs {
   readonly element: HTMLElement;
@@ -18,12 +10,8 @@ export interface Tabs {
 
 export function createTabs(change: (view: BenchView) => void): Tabs {
   const buttons = views.map((view) => {
-    const { label, tip } = TITLES[view];
-    const button = h(
-      'button',
-      { type: 'button', role: 'tab', class: 'bench-tab', tip, 'aria-controls': 'bench-plot' },
-      label,
-    );
+    const { label, tip } = viewInfo[view];
+    const button = h('button', { type: 'button', role: 'tab', class: 'bench-tab', tip }, label);
     button.dataset.view = view;
     button.addEventListener('click', () => change(view));
     return { view, button };
@@ -43,12 +31,17 @@ export function createTabs(change: (view: BenchView) => void): Tabs {
     change(next.view);
     next.button.focus();
   });
+  let shown: BenchView | null = null;
   return {
     element,
     show(current) {
+      if (current === shown) return;
+      shown = current;
       for (const { view, button } of buttons) {
         button.setAttribute('aria-selected', String(view === current));
         button.tabIndex = view === current ? 0 : -1;
+        // In a narrow bench the row of tabs is longer than there is room.
+        if (view === current) button.scrollIntoView({ block: 'nearest', inline: 'nearest' });
       }
     },
   };

@@ -1,19 +1,36 @@
 /** Computes what takes longer than a frame, in steps, so that a newer wish is heard between two of them. */
 import { albedoAngles, albedoCurve } from '../../../analysis/plots/albedo-curve.ts';
-import { imageSlice } from '../../../analysis/plots/image-slice.ts';
-import type { Answer, Job, Result } from './jobs.ts';
+import { albedoSweep, SWEEP_POINTS } from '../../../analysis/plots/albedo-sweep.ts';
+import { azimuthMapAt } from '../../../analysis/plots/azimuth-slice.ts';
+import type { Reflectance } from '../../../analysis/plots/curve.ts';
+import { imageSliceAt } from '../../../analysis/plots/image-slice.ts';
+import { litPictures } from '../../../analysis/plots/lit-picture.ts';
+import { lobe } from '../../../analysis/plots/lobe.ts';
+import { type Picture, pictures } from '../../../analysis/plots/picture.ts';
+import { meshSurface, sphereSurface, type TriangleMesh } from '../../../analysis/plots/surface.ts';
+import type { Answer, Job, Result, Shape } from './jobs.ts';
 import { evaluatorOf } from './series.ts';
 
-const FINAL_IMAGE = 128;
+/** null is a pause. */
+type Steps = Generator<Result | null>;
+
+const SIZES = [16, 32, 64, 128];
 /** With fewer points a curve says nothing; with these it follows a slider, if coarsely. */
 const FEWEST_POINTS = 5;
+/** Between two looks at what has been asked for meanwhile. */
+const SLICE_MS = 6;
 
-const running = new Map<string, { job: Job; steps: Generator<Result> }>();
+const running = new Map<string, { job: Job; steps: Steps }>();
+/** Only the shape that was sent last is asked for. */
+let shape: Shape | null = null;
 let busy = false;
 
-self.addEventListener('message', ({ data }: MessageEvent<Job>) => {
-  running.set(data.key, { job: data, steps: stepsOf(data) });
-  if (!busy) void work();
+self.addEventListener('message', ({ data }: MessageEvent<Job | Shape>) => {
+  if ('triangles' in data) shape = data;
+  else {
+    running.set(data.key, { job: data, steps: stepsOf(data) });
+    if (!busy) void work();
+  }
 });
 
 async function work(): Promise<void> {
@@ -22,40 +39,94 @@ async function work(): Promise<void> {
     // In turn: every curve grows, not one after the other.
     for (const [key, { job, steps }] of [...running]) {
       if (running.get(key)?.job !== job) continue;
-      const result = step(steps);
-      if (!result || result.error) running.delete(key);
-      if (result) self.postMessage({ key, ticket: job.ticket, result } satisfies Answer);
-      await new Promise((resolve) => setTimeout(resolve));
+      const result = advance(steps);
+      if (result === 'end' || (result && result.error !== undefined)) running.delete(key);
+      if (result && result !== 'end') self.postMessage({ key, ticket: job.ticket, result } satisfies Answer);
+      await nextTask();
     }
   }
   busy = false;
 }
 
-function step(steps: Generator<Result>): Result | null {
+/** Messages are heard, without the 4 ms that a timer within a timer waits. */
+const channel = new MessageChannel();
+function nextTask(): Promise<void> {
+  return new Promise((resolve) => {
+    channel.port1.onmessage = () => resolve();
+    channel.port2.postMessage(null);
+  });
+}
+
+function advance(steps: Steps): Result | null | 'end' {
+  const until = performance.now() + SLICE_MS;
   try {
-    const { value, done } = steps.next();
-    return done ? null : value;
+    do {
+      const { value, done } = steps.next();
+      if (done) return 'end';
+      if (value) return value;
+    } while (performance.now() < until);
+    return null;
   } catch (error) {
-    return {
-      curve: [],
-      image: null,
-      progress: 1,
-      error: error instanceof Error ? error.message : String(error),
-    };
+    return { progress: 1, error: error instanceof Error ? error.message : String(error) };
   }
 }
 
-function* stepsOf({ subject, term, task }: Job): Generator<Result> {
+function* stepsOf({ subject, term, task }: Job): Steps {
   const evaluator = evaluatorOf(subject);
-  const f: Parameters<typeof albedoCurve>[0] = (l, v) => evaluator.f(l, v, undefined, term);
-  if (task.kind === 'albedo') {
-    for (const curve of albedoCurve(f, task.phiV)) {
-      if (curve.length < FEWEST_POINTS) continue;
-      yield { curve, image: null, progress: curve.length / albedoAngles.length, error: null };
+  const f: Reflectance = (l, v) => evaluator.f(l, v, undefined, term);
+  switch (task.kind) {
+    case 'albedo':
+      for (const curve of albedoCurve(f, task.phiV)) {
+        if (curve.length >= FEWEST_POINTS) yield { curve, progress: curve.length / albedoAngles.length };
+      }
+      break;
+    case 'sweep': {
+      const at = (value: number) => {
+        evaluator.set({ ...subject.parameters, [task.parameter]: value });
+        return f;
+      };
+      for (const sweep of albedoSweep(at, task)) {
+        if (!sweep) yield null;
+        else if (sweep.length >= FEWEST_POINTS) yield { sweep, progress: sweep.length / SWEEP_POINTS };
+      }
+      break;
     }
-  } else {
-    for (const image of imageSlice(f, { phiD: 90, cosine: task.cosine })) {
-      yield { curve: [], image, progress: image.size / FINAL_IMAGE, error: null };
+    case 'lobe': {
+      let progress = 0;
+      for (const part of lobe(f, task.options)) {
+        if (part) progress += 0.5;
+        yield part && { lobe: part, progress };
+      }
+      break;
+    }
+    case 'image':
+      yield* growing(pictures(SIZES, (x, y) => imageSliceAt(f, x, y, task.options)));
+      break;
+    case 'map':
+      yield* growing(pictures(SIZES, (x, y) => azimuthMapAt(f, x, y, task.options)));
+      break;
+    case 'sphere':
+      yield* growing(litPictures(f, sphereSurface, task.options));
+      break;
+    case 'object': {
+      const triangles = trianglesOf(task.mesh);
+      yield* growing(litPictures(f, (eye, size) => meshSurface(triangles, eye, size), task.options));
+      break;
     }
   }
+}
+
+/** A picture is shown when it is there; the last one, which a generator has to end after, is the whole. */
+function* growing(steps: Generator<Picture | null>): Steps {
+  let last: Picture | null = null;
+  for (const picture of steps) {
+    yield picture && { picture, progress: 0.5 };
+    last = picture ?? last;
+  }
+  if (last) yield { picture: last, progress: 1 };
+}
+
+function trianglesOf(mesh: number): TriangleMesh {
+  if (shape?.mesh !== mesh) throw new Error('the shape was not sent');
+  return shape.triangles;
 }

@@ -1,0 +1,78 @@
+/** From linear values to the pixels of a picture. */
+import { channelOf } from '../../../analysis/plots/channel.ts';
+import type { Rgb } from '../../../analysis/plots/curve.ts';
+import type { Picture } from '../../../analysis/plots/picture.ts';
+import type { Pixels } from './painter.ts';
+import type { PaneSettings } from './settings.ts';
+
+type ToneSettings = Pick<PaneSettings, 'tint' | 'brightness' | 'chroma' | 'log'>;
+
+/** A logarithmic picture goes from black to white in so many decades, up to 1. */
+const DECADES = 4;
+
+/** sRGB (IEC 61966-2-1), clipped at 1; a single channel is grey. */
+export function tonedPixels({ size, pixels, alpha }: Picture, settings: ToneSettings): Pixels {
+  const rgba = new Uint8ClampedArray(4 * size * size);
+  for (let i = 0; i < size * size; i++) {
+    const coverage = alpha ? (alpha[i] as number) : 1;
+    if (coverage === 0) continue;
+    const rgb = [0, 1, 2].map((c) => (pixels[3 * i + c] as number) / coverage) as unknown as Rgb;
+    rgba.set([...toned(rgb, settings), 255 * coverage], 4 * i);
+  }
+  return { width: size, height: size, rgba };
+}
+
+function toned(rgb: Rgb, { tint, brightness, chroma, log }: ToneSettings): readonly number[] {
+  const grey = tint === 'rgb' ? null : channelOf(rgb, tint);
+  const most = chroma ? Math.max(...rgb, 1e-9) : 1;
+  const gain = chroma ? 1 / most : 2 ** brightness;
+  return rgb.map((value) => {
+    const linear = gain * (grey ?? value);
+    if (!log) return encodeSrgb(linear);
+    return 255 * (1 + Math.log10(Math.max(linear, 1e-12)) / DECADES);
+  });
+}
+
+export function encodeSrgb(value: number): number {
+  const v = Math.max(0, Math.min(1, value));
+  return 255 * (v <= 0.0031308 ? 12.92 * v : 1.055 * v ** (1 / 2.4) - 0.055);
+}
+
+/**
+ * Where the first picture is brighter, its series' colour, and where the second is, that one's; black where they
+ * are the same. A difference of 1 has the full colour at a brightness of 0 EV.
+ *
+ * @param hues the series' colours, #rrggbb
+ */
+export function differencePixels(
+  a: Picture,
+  b: Picture,
+  hues: readonly [string, string],
+  { tint, brightness }: ToneSettings,
+): Pixels | null {
+  if (a.size !== b.size) return null;
+  const channel = tint === 'rgb' ? 'luminance' : tint;
+  const rgba = new Uint8ClampedArray(4 * a.size * a.size);
+  const [ofFirst, ofSecond] = [rgbOfHex(hues[0]), rgbOfHex(hues[1])];
+  for (let i = 0; i < a.size * a.size; i++) {
+    const coverage = a.alpha ? (a.alpha[i] as number) : 1;
+    if (coverage === 0) continue;
+    const of = ({ pixels }: Picture) =>
+      channelOf([0, 1, 2].map((c) => pixels[3 * i + c] as number) as unknown as Rgb, channel);
+    const more = (2 ** brightness * (of(a) - of(b))) / coverage;
+    const strength = encodeSrgb(Math.abs(more)) / 255;
+    const hue = more >= 0 ? ofFirst : ofSecond;
+    rgba.set([...hue.map((value) => value * strength), 255 * coverage], 4 * i);
+  }
+  return { width: a.size, height: a.size, rgba };
+}
+
+export function rgbOfHex(hex: string): readonly number[] {
+  return [1, 3, 5].map((i) => Number.parseInt(hex.slice(i, i + 2), 16));
+}
+
+/** The greatest difference of a channel between two pictures; null if they cannot be compared yet. */
+export function greatestDifference(a: Picture, b: Picture): number | null {
+  if (a.size !== b.size) return null;
+  return a.pixels.reduce((most, value, i) => Math.max(most, Math.abs(value - (b.pixels[i] as number))), 0);
+}

@@ -1,0 +1,118 @@
+/** Every view of the bench: its name, what draws it, and which settings it has. */
+import { cartesianView } from './cartesian.ts';
+import type { View } from './frame.ts';
+import { lobeView } from './lobe.ts';
+import { polarView } from './polar.ts';
+import type { BenchView } from './settings.ts';
+import { imageView, mapView, objectView, sphereView } from './tiles.ts';
+
+export type ControlKey =
+  | 'thetaV'
+  | 'phiV'
+  | 'thetaL'
+  | 'phiL'
+  | 'thetaH'
+  | 'thetaD'
+  | 'turns'
+  | 'parameter'
+  | 'term'
+  | 'channel'
+  | 'tint'
+  | 'log'
+  | 'cosine'
+  | 'range'
+  | 'brightness'
+  | 'chroma'
+  | 'squareRoot'
+  | 'doubleTheta'
+  | 'light';
+
+export interface ViewInfo {
+  readonly label: string;
+  readonly tip: string;
+  /** null: a panel of its own, not a drawing. */
+  readonly view: View | null;
+  readonly controls: readonly ControlKey[];
+}
+
+const curve = ['term', 'channel', 'log', 'cosine', 'range'] as const;
+const albedo = ['phiV', 'term', 'channel', 'log', 'range'] as const;
+const picture = ['term', 'tint', 'log', 'brightness', 'chroma'] as const;
+const lit = ['thetaV', 'phiV', 'thetaL', 'phiL', 'light', 'doubleTheta', ...picture] as const;
+const azimuth = ['turns', 'thetaV', 'phiV', 'thetaL', 'thetaH', 'thetaD'] as const;
+
+export const viewInfo: Readonly<Record<BenchView, ViewInfo>> = {
+  polar: {
+    label: 'Polar',
+    tip: 'The plane of incidence from the side',
+    view: polarView,
+    controls: ['thetaV', 'phiV', 'thetaL', 'light', ...curve],
+  },
+  lobe: {
+    label: '3D',
+    tip: 'The lobe over the whole hemisphere; drag to turn it, drag v and l to move them',
+    view: lobeView,
+    controls: ['thetaV', 'phiV', 'thetaL', 'phiL', 'light', ...curve],
+  },
+  thetaL: {
+    label: 'θl',
+    tip: 'Over the angle of the light, in the plane of incidence',
+    view: cartesianView,
+    controls: ['thetaV', 'phiV', 'thetaL', 'light', ...curve],
+  },
+  thetaH: {
+    label: 'θh',
+    tip: 'Over the angle of the half vector: the highlight',
+    view: cartesianView,
+    controls: ['thetaD', 'phiV', ...curve],
+  },
+  thetaD: {
+    label: 'θd',
+    tip: 'Over the difference angle: Fresnel, grazing light',
+    view: cartesianView,
+    controls: ['thetaH', 'phiV', ...curve],
+  },
+  phi: {
+    label: 'φ',
+    tip: 'Over the azimuth of the light or the half vector: flat, unless the model is anisotropic',
+    view: cartesianView,
+    controls: [...azimuth, ...curve],
+  },
+  albedo: {
+    label: 'Albedo',
+    tip: 'The share of light that is reflected, over the angle of the viewer',
+    view: cartesianView,
+    controls: albedo,
+  },
+  sweep: {
+    label: 'Sweep',
+    tip: 'The share of light that is reflected, over one parameter of the model',
+    view: cartesianView,
+    controls: ['parameter', ...albedo],
+  },
+  image: {
+    label: 'Image',
+    tip: 'All of θh and θd at once',
+    view: imageView,
+    controls: ['cosine', 'squareRoot', ...picture],
+  },
+  map: {
+    label: 'Map φ',
+    tip: 'All of φ and θ of the light or the half vector at once: anisotropy',
+    view: mapView,
+    controls: [...azimuth, 'cosine', ...picture],
+  },
+  sphere: {
+    label: 'Sphere',
+    tip: 'A sphere under one light, evaluated in float64; drag to move the light',
+    view: sphereView,
+    controls: lit,
+  },
+  object: {
+    label: 'Object',
+    tip: 'The selected object under one light, evaluated in float64; drag to move the light',
+    view: objectView,
+    controls: lit,
+  },
+  verdict: { label: 'Verdict', tip: 'The model held to physics', view: null, controls: [] },
+};
