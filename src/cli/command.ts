@@ -17,8 +17,11 @@ export interface Command {
 
 export interface Call {
   arguments: readonly string[];
-  options: Readonly<Record<string, string | boolean | undefined>>;
+  options: Readonly<Record<string, OptionValue>>;
 }
+
+/** An option that may be given several times has a list of its values. */
+export type OptionValue = string | boolean | (string | boolean)[] | undefined;
 
 /** Something that the user can put right: shown without a stack, the process exits with 1. */
 export class CliError extends Error {}

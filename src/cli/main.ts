@@ -12,6 +12,7 @@ const COMMANDS: Readonly<Record<string, () => Promise<{ default: Command }>>> = 
   'brdf show': () => import('./commands/brdf-show.ts'),
   'brdf eval': () => import('./commands/brdf-eval.ts'),
   'brdf check': () => import('./commands/brdf-check.ts'),
+  'brdf fit': () => import('./commands/brdf-fit.ts'),
 };
 
 async function run(words: readonly string[]): Promise<number> {

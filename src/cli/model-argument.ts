@@ -4,17 +4,23 @@ import type { Model } from '../glsl/model.ts';
 import { loadMeasured } from '../scene/measured.ts';
 import { CliError } from './command.ts';
 import { readInput } from './files.ts';
+import { isSaved, savedModel } from './saved-model.ts';
 
 /** Whether a file's ending says that it holds measurements. */
 export const isMeasured = (word: string): boolean => /\.binary$/i.test(word);
 
-/** The model that MODEL|FILE means: one that ships, by its name, or a .brdf or .binary file. */
+/** The files that modelArgument() takes, for `--help`. */
+export const modelFiles = 'a .brdf file, saved parameters (.bparam), or a measured BRDF (.binary of MERL)';
+
+/** The model that MODEL|FILE means: one that ships, by its name, or a file's. */
 export function modelArgument(word: string): Model {
   const shipped = shippedModels.get(word);
   if (shipped) return shipped;
   if (existsSync(word)) {
     const bytes = readInput(word);
-    return isMeasured(word) ? loadMeasured(bytes, word) : loadModel(bytes.toString('utf8'), word);
+    if (isMeasured(word)) return loadMeasured(bytes, word);
+    const text = bytes.toString('utf8');
+    return isSaved(word) ? savedModel(text, word, modelArgument) : loadModel(text, word);
   }
   const names = [...shippedModels.keys()].join(', ');
   throw new CliError(`there is no model '${word}' and no such file; models that ship: ${names}`);

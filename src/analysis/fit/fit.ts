@@ -85,7 +85,7 @@ export async function fitModel(target: FitTarget, model: Model, options: FitOpti
   const better = () => candidates.reduce((a, b) => (b.look < a.look ? b : a));
 
   const best = await findBest(search);
-  const byRoots: Differences = (sets) => search.fine.differences('cube root', exact.evaluate, sets);
+  const byRoots: Differences = (evaluate, sets) => search.fine.differences('cube root', evaluate, sets);
   await add('cube root', await withoutIdle(search, best, byRoots));
   if (Math.sqrt(best.error) > EXACT * search.fine.size('cube root')) {
     const part = (i: number): Search => ({
@@ -93,20 +93,20 @@ export async function fitModel(target: FitTarget, model: Model, options: FitOpti
       report: (done, error) => report(SEARCHING + ((i + done) * (1 - SEARCHING)) / 3, error),
     });
     for (const [i, metric] of (['logarithm', 'cosine'] as const).entries()) {
-      const differences: Differences = (sets) => search.fine.differences(metric, exact.evaluate, sets);
+      const differences: Differences = (evaluate, sets) => search.fine.differences(metric, evaluate, sets);
       await add(metric, await withoutIdle(search, await improve(part(i), best, differences), differences));
     }
     const [roots] = candidates as [Found];
     const small = await pictureOf(SMALL_LOOK_SIZE, ofTarget, targetValues);
     const both = together([
-      { differences: (sets) => small(exact.evaluate, sets), scale: roots.look },
+      { differences: small, scale: roots.look },
       { differences: byRoots, scale: roots.cubeRoot },
     ]);
     await add('look', await withoutIdle(search, await improve(part(2), better().place, both), both));
   }
 
   const chosen = better();
-  const { play, loose } = await playAt(byRoots, space, chosen.place, search.fine.size('cube root'));
+  const { play, loose } = await playAt(search, chosen.place);
   const fit: Fit = {
     model: model.name,
     parameters: inOrder(model, chosen.parameters),
@@ -127,10 +127,14 @@ interface Found extends Candidate {
 }
 
 /** The differences of a model's lit sphere from the target's, pixel by pixel in Oklab. */
-async function pictureOf(size: number, ofTarget: EvaluateSets, target: ParameterValues) {
+async function pictureOf(
+  size: number,
+  ofTarget: EvaluateSets,
+  target: ParameterValues,
+): Promise<Differences> {
   const look = createLook(size);
   const [wanted] = (await ofTarget([target], look.pairs)).map(look.shade);
-  return async (evaluate: EvaluateSets, sets: readonly ParameterValues[]): Promise<Float64Array[]> => {
+  return async (evaluate, sets) => {
     const found = await evaluate(sets, look.pairs);
     return found.map((values) => lookDifferences(look.shade(values), wanted as Float64Array));
   };
@@ -138,9 +142,9 @@ async function pictureOf(size: number, ofTarget: EvaluateSets, target: Parameter
 
 /** Differences of several kinds, each with the same weight where it is as large as its scale. */
 function together(kinds: readonly { differences: Differences; scale: number }[]): Differences {
-  return async (sets) => {
+  return async (evaluate, sets) => {
     const found: Float64Array[][] = [];
-    for (const { differences } of kinds) found.push(await differences(sets));
+    for (const { differences } of kinds) found.push(await differences(evaluate, sets));
     return sets.map((_, s) =>
       Float64Array.from(
         kinds.flatMap(({ scale }, k) => {
@@ -153,11 +157,14 @@ function together(kinds: readonly { differences: Differences; scale: number }[])
   };
 }
 
-async function playAt(byRoots: Differences, space: ParameterSpace, { point, switches }: Place, size: number) {
-  const residuals = (points: readonly Float64Array[]) =>
-    byRoots(points.map((next) => space.values(next, switches)));
+async function playAt({ space, fine, exact }: Search, { point, switches }: Place) {
+  const residuals = (points: readonly Float64Array[]) => {
+    const sets = points.map((next) => space.values(next, switches));
+    return fine.differences('cube root', exact.evaluate, sets);
+  };
   const [values] = (await residuals([point])) as [Float64Array];
-  return determinacy(await derivatives(residuals, point, values, STEP.float64), size);
+  const columns = await derivatives(residuals, point, values, exact.step);
+  return determinacy(columns, fine.size('cube root'));
 }
 
 function fittedNumber({ name, min, max }: Axis, x = 0, play = 0): FittedNumber {

@@ -11,6 +11,8 @@ const SPREAD = 160;
 const STARTS = 6;
 /** Starts that are followed to the end. */
 const FINALISTS = 2;
+/** Steps in float64 from where float32 has come to. */
+const POLISH = 4;
 
 export interface Place {
   readonly point: Float64Array;
@@ -25,7 +27,7 @@ export interface Search {
   /** At few directions, to find the way; and at many. */
   readonly coarse: Comparison;
   readonly fine: Comparison;
-  /** In float32, maybe; `step` is that of derivatives by differences. */
+  /** In float32, if there is a GPU; `step` is that of derivatives by differences. */
   readonly quick: { readonly evaluate: EvaluateSets; readonly step: number };
   readonly exact: { readonly evaluate: EvaluateSets; readonly step: number };
   /** Called with the share of the search that is done and an error that was reached. */
@@ -33,11 +35,15 @@ export interface Search {
 }
 
 /** The model's differences from the target at several sets of parameters, under some metric. */
-export type Differences = (sets: readonly ParameterValues[]) => Promise<Float64Array[]>;
+export type Differences = (
+  evaluate: EvaluateSets,
+  sets: readonly ParameterValues[],
+) => Promise<Float64Array[]>;
 
 interface Descent {
   readonly differences: Differences;
-  readonly step: number;
+  /** Whether it is to end in float64. */
+  readonly toTheEnd: boolean;
   readonly iterations: number;
   readonly tolerance: number;
   /** The share of the search that is done before and after. */
@@ -49,7 +55,7 @@ interface Descent {
 
 /** The best place under the cube root, of several that different starts lead to. */
 export async function findBest(search: Search): Promise<Place> {
-  const byFew: Differences = (sets) => search.coarse.differences('cube root', search.quick.evaluate, sets);
+  const byFew: Differences = (evaluate, sets) => search.coarse.differences('cube root', evaluate, sets);
   const starts = await bestStarts(search, byFew);
   search.report(0.06, Number.POSITIVE_INFINITY);
   const found: Place[] = [];
@@ -57,7 +63,7 @@ export async function findBest(search: Search): Promise<Place> {
     found.push(
       await descend(search, start, {
         differences: byFew,
-        step: search.quick.step,
+        toTheEnd: false,
         iterations: 25,
         tolerance: 1e-2,
         counts: false,
@@ -71,8 +77,8 @@ export async function findBest(search: Search): Promise<Place> {
   for (const [i, start] of finalists.entries()) {
     ends.push(
       await descend(search, start, {
-        differences: (sets) => search.fine.differences('cube root', search.exact.evaluate, sets),
-        step: search.exact.step,
+        differences: (evaluate, sets) => search.fine.differences('cube root', evaluate, sets),
+        toTheEnd: true,
         iterations: 30,
         tolerance: 1e-3,
         counts: true,
@@ -86,10 +92,9 @@ export async function findBest(search: Search): Promise<Place> {
 
 /** The best place near another under one more metric. */
 export function improve(search: Search, start: Place, differences: Differences): Promise<Place> {
-  const { step } = search.exact;
   return descend(search, start, {
     differences,
-    step,
+    toTheEnd: true,
     iterations: 12,
     tolerance: 1e-3,
     counts: false,
@@ -102,7 +107,7 @@ export function improve(search: Search, start: Place, differences: Differences):
 export async function withoutIdle(search: Search, place: Place, differences: Differences): Promise<Place> {
   const { space } = search;
   const errorAt = async (point: Float64Array) => {
-    const [values] = await differences([space.values(point, place.switches)]);
+    const [values] = await differences(search.exact.evaluate, [space.values(point, place.switches)]);
     return meanSquare(values as Float64Array);
   };
   const limit = (await errorAt(place.point)) * (1 + 1e-6) + 1e-24;
@@ -123,7 +128,8 @@ async function bestStarts(search: Search, differences: Differences) {
   for (const switches of space.switches) {
     const count = Math.ceil(SPREAD / space.switches.length);
     const points = [space.defaults, ...(space.axes.length ? space.spread(count, random) : [])];
-    const found = await differences(points.map((point) => space.values(point, switches)));
+    const sets = points.map((point) => space.values(point, switches));
+    const found = await differences(search.quick.evaluate, sets);
     const places = found
       .map((values, k) => ({ point: points[k] as Float64Array, switches, error: meanSquare(values) }))
       .sort((a, b) => a.error - b.error);
@@ -135,21 +141,30 @@ async function bestStarts(search: Search, differences: Differences) {
 }
 
 async function descend(search: Search, start: Place, descent: Descent): Promise<Place> {
-  const { differences, step, iterations, tolerance, from, to, counts } = descent;
+  const { space, quick, exact } = search;
+  const { differences, toTheEnd, iterations, tolerance, from, to, counts } = descent;
   const { switches } = start;
   let done = 0;
-  const found = await leastSquares(
-    (points) => differences(points.map((point) => search.space.values(point, switches))),
-    start.point,
-    {
-      iterations,
-      tolerance,
-      step,
-      onIteration: (error) => {
-        done++;
-        search.report(from + ((to - from) * done) / iterations, counts ? error : Number.POSITIVE_INFINITY);
+  const run = ({ evaluate, step }: Search['exact'], point: Float64Array, most: number) =>
+    leastSquares(
+      (points) =>
+        differences(
+          evaluate,
+          points.map((next) => space.values(next, switches)),
+        ),
+      point,
+      {
+        iterations: most,
+        tolerance,
+        step,
+        onIteration: (error) => {
+          done++;
+          const share = Math.min(1, done / iterations);
+          search.report(from + (to - from) * share, counts ? error : Number.POSITIVE_INFINITY);
+        },
       },
-    },
-  );
+    );
+  let found = await run(quick, start.point, iterations);
+  if (toTheEnd && quick !== exact) found = await run(exact, found.point, POLISH);
   return { ...found, switches };
 }
