@@ -11,7 +11,13 @@ export default defineConfig({
   ssr: { noExternal: ['@pmndrs/assets', 'three-mesh-bvh'] },
   build: {
     target: 'node20',
-    ssr: `${repository}src/cli/main.ts`,
+    ssr: true,
+    rolldownOptions: {
+      input: {
+        main: `${repository}src/cli/main.ts`,
+        'path-tracer-worker': `${repository}src/cli/path-tracer-worker.ts`,
+      },
+    },
     outDir: `${repository}dist/cli`,
     emptyOutDir: true,
     minify: false,

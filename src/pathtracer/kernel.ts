@@ -36,7 +36,7 @@ const parts: readonly (readonly [name: string, text: string])[] = [
 
 /**
  * @param models in the order of the numbers that the scene's materials have for them
- * @returns with the entries `renderPixel(int pixel, uint first, uint count)` and
+ * @returns with the entries `renderPixel(int pixel, int film, uint first, uint count)` and
  *   `renderPixels(int from, int to, uint first, uint count)`
  */
 export function pathTracerKernel(models: readonly Model[]): Kernel {

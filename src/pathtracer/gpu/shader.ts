@@ -36,7 +36,8 @@ fn main(@builtin(global_invocation_id) id: vec3<u32>) {
   let size = scene[16].xy;
   let place = job.xy + id.xy;
   if (any(place >= size)) { return; }
-  ${main}(i32(place.y * size.x + place.x), job.z, job.w);
+  let pixel = i32(place.y * size.x + place.x);
+  ${main}(pixel, 5 * pixel, job.z, job.w);
 }
 `;
 }

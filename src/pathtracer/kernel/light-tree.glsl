@@ -91,7 +91,8 @@ int chooseFiniteLight(float u, vec3 P, vec3 N) {
 // The probability with which chooseFiniteLight() takes the light with this bit trail.
 float finiteLightProbability(uint trail, vec3 P, vec3 N) {
   int node = int(loadUint4(1).y);
-  if (node == 0) return 0.0;
+  // A light without power is not in the tree.
+  if (node == 0 || trail == NONE) return 0.0;
   float probability = treeProbability();
   while (true) {
     uvec4 links = loadUint4(node + 3);

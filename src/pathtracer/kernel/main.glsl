@@ -1,5 +1,5 @@
-// Adds samples first <= index < first + count to a pixel of the film.
-void renderPixel(int pixel, uint first, uint count) {
+// Adds samples first <= index < first + count of a pixel to 5 slots of the film.
+void renderPixel(int pixel, int film, uint first, uint count) {
   uvec4 settings = loadUint4(16);
   int x = pixel % int(settings.x);
   int y = pixel / int(settings.x);
@@ -22,7 +22,6 @@ void renderPixel(int pixel, uint first, uint count) {
     alpha += pathAlpha;
     i++;
   }
-  int film = 5 * pixel;
   filmStore(film, filmLoad(film) + vec4(radiance, float(count)));
   filmStore(film + 1, filmLoad(film + 1) + vec4(squares, 0.0));
   filmStore(film + 2, filmLoad(film + 2) + vec4(albedo, 0.0));
@@ -30,11 +29,11 @@ void renderPixel(int pixel, uint first, uint count) {
   filmStore(film + 4, filmLoad(film + 4) + vec4(distance, alpha, 0.0, 0.0));
 }
 
-// A run of pixels, one after the other.
+// A run of pixels, one after the other, into a film of these pixels alone.
 void renderPixels(int from, int to, uint first, uint count) {
   int pixel = from;
   while (pixel < to) {
-    renderPixel(pixel, first, count);
+    renderPixel(pixel, 5 * (pixel - from), first, count);
     pixel++;
   }
 }

@@ -1,0 +1,116 @@
+/** Slots of 4 floats that the kernel writes for a pixel (docs/decisions/path-tracer.md). */
+export const FILM_SLOTS = 5;
+export const FILM_FLOATS = 4 * FILM_SLOTS;
+
+/**
+ * What has been gathered for every pixel of a picture, row 0 at the top: sums over the samples, so that parts of a
+ * rendering add up whatever their order.
+ */
+export class Film {
+  readonly width: number;
+  readonly height: number;
+  /** Samples of each pixel. */
+  readonly count: Float64Array;
+  /** Radiance, RGB. */
+  readonly radiance: Float64Array;
+  /** Squares of the samples' radiance, RGB. */
+  readonly squares: Float64Array;
+  /** What the first surface reflects of white light from everywhere, as far as one direction tells; RGB. */
+  readonly albedo: Float32Array;
+  /** Shading normals of the first surface in the world. */
+  readonly normal: Float32Array;
+  /** Distances of the first surface in metres; 0 where there is none. */
+  readonly depth: Float32Array;
+  /** 1 where a sample hit something. */
+  readonly alpha: Float32Array;
+
+  constructor(width: number, height: number) {
+    const pixels = width * height;
+    this.width = width;
+    this.height = height;
+    this.count = new Float64Array(pixels);
+    this.radiance = new Float64Array(3 * pixels);
+    this.squares = new Float64Array(3 * pixels);
+    this.albedo = new Float32Array(3 * pixels);
+    this.normal = new Float32Array(3 * pixels);
+    this.depth = new Float32Array(pixels);
+    this.alpha = new Float32Array(pixels);
+  }
+
+  /** Adds what the kernel wrote for pixels `from` and following. @param values FILM_FLOATS a pixel */
+  add(values: Float32Array, from = 0): void {
+    const { count, radiance, squares, albedo, normal, depth, alpha } = this;
+    const pixels = values.length / FILM_FLOATS;
+    for (let i = 0; i < pixels; i++) {
+      const at = FILM_FLOATS * i;
+      const pixel = from + i;
+      count[pixel]! += values[at + 3]!;
+      depth[pixel]! += values[at + 16]!;
+      alpha[pixel]! += values[at + 17]!;
+      for (let c = 0; c < 3; c++) {
+        radiance[3 * pixel + c]! += values[at + c]!;
+        squares[3 * pixel + c]! += values[at + 4 + c]!;
+        albedo[3 * pixel + c]! += values[at + 8 + c]!;
+        normal[3 * pixel + c]! += values[at + 12 + c]!;
+      }
+    }
+  }
+
+  /** Mean radiance, RGB; 0 where there are no samples. */
+  mean(): Float32Array {
+    return this.#means(this.radiance);
+  }
+
+  /** Mean albedo, RGB. */
+  meanAlbedo(): Float32Array {
+    return this.#means(this.albedo);
+  }
+
+  /** Mean normal, not of length 1 where a pixel sees several surfaces. */
+  meanNormal(): Float32Array {
+    return this.#means(this.normal);
+  }
+
+  /** Mean distance of what was hit, in metres; 0 where nothing was. */
+  meanDepth(): Float32Array {
+    return this.depth.map((sum, pixel) => (this.alpha[pixel]! > 0 ? sum / this.alpha[pixel]! : 0));
+  }
+
+  /**
+   * Variance of the mean, RGB, as if the samples were independent. They are spread more evenly than that, so the
+   * true error is smaller.
+   */
+  variance(): Float32Array {
+    return new Float32Array(this.radiance.length).map((_, i) => {
+      const n = this.count[Math.floor(i / 3)]!;
+      if (n < 2) return 0;
+      const mean = this.radiance[i]! / n;
+      return Math.max(0, this.squares[i]! / n - mean * mean) / (n - 1);
+    });
+  }
+
+  /**
+   * The picture's error: the standard deviation of the pixels' means over the mean of the picture, which no single
+   * dark pixel can blow up. Infinite before two samples.
+   */
+  relativeError(): number {
+    let sum = 0;
+    let variance = 0;
+    for (let i = 0; i < this.radiance.length; i++) {
+      const n = this.count[Math.floor(i / 3)]!;
+      if (n < 2) return Number.POSITIVE_INFINITY;
+      const mean = this.radiance[i]! / n;
+      sum += mean;
+      variance += Math.max(0, this.squares[i]! / n - mean * mean) / (n - 1);
+    }
+    const mean = sum / this.radiance.length;
+    return mean > 0 ? Math.sqrt(variance / this.radiance.length) / mean : 0;
+  }
+
+  #means(sums: Float32Array | Float64Array): Float32Array {
+    return new Float32Array(sums.length).map((_, i) => {
+      const n = this.count[Math.floor(i / 3)]!;
+      return n > 0 ? sums[i]! / n : 0;
+    });
+  }
+}
