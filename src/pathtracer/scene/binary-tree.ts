@@ -37,17 +37,22 @@ class Bounds {
   }
 
   add(boxes: Float32Array, from: number, to: number): void {
-    const { box, centres } = this;
-    for (let at = 6 * from; at < 6 * to; at += 6) {
-      for (let axis = 0; axis < 3; axis += 1) {
-        const low = boxes[at + axis] as number;
-        const high = boxes[at + axis + 3] as number;
+    for (let axis = 0; axis < 3; axis += 1) {
+      let [min, max] = [this.box[axis] as number, this.box[axis + 3] as number];
+      let [least, most] = [this.centres[axis] as number, this.centres[axis + 3] as number];
+      for (let at = 6 * from + axis; at < 6 * to; at += 6) {
+        const low = boxes[at] as number;
+        const high = boxes[at + 3] as number;
         const centre = low + high;
-        if (low < (box[axis] as number)) box[axis] = low;
-        if (high > (box[axis + 3] as number)) box[axis + 3] = high;
-        if (centre < (centres[axis] as number)) centres[axis] = centre;
-        if (centre > (centres[axis + 3] as number)) centres[axis + 3] = centre;
+        if (low < min) min = low;
+        if (high > max) max = high;
+        if (centre < least) least = centre;
+        if (centre > most) most = centre;
       }
+      this.box[axis] = min;
+      this.box[axis + 3] = max;
+      this.centres[axis] = least;
+      this.centres[axis + 3] = most;
     }
   }
 }
@@ -64,6 +69,8 @@ interface Split {
   readonly axis: number;
   /** Items in a lower bin go to the first child. */
   readonly bin: number;
+  readonly origin: number;
+  readonly scale: number;
 }
 
 /** The bins of the three axes, and what splitting between them would cost. */
@@ -72,19 +79,20 @@ class Bins {
   readonly #boxes = new Float64Array(3 * BINS * 6);
   readonly #scale = new Float64Array(3);
   readonly #origin = new Float64Array(3);
-  readonly #areas = new Float64Array(BINS);
+  readonly #costs = new Float64Array(BINS);
+  /** The bounds of the bins that have been swept. */
   readonly #sweep = new Float64Array(6);
   #bins = BINS;
 
   /** @param count of items: few need few bins */
   begin(centres: Float64Array, count: number): void {
     this.#bins = Math.min(BINS, 4 + (count >> 1));
-    this.#counts.fill(0);
-    for (let at = 0; at < this.#boxes.length; at += 6) {
-      this.#boxes.fill(Number.POSITIVE_INFINITY, at, at + 3);
-      this.#boxes.fill(Number.NEGATIVE_INFINITY, at + 3, at + 6);
-    }
     for (let axis = 0; axis < 3; axis += 1) {
+      const first = axis * BINS;
+      for (let bin = first; bin < first + this.#bins; bin += 1) {
+        this.#counts[bin] = 0;
+        clear(this.#boxes, 6 * bin);
+      }
       const low = centres[axis] as number;
       const extent = (centres[axis + 3] as number) - low;
       this.#origin[axis] = low;
@@ -93,77 +101,100 @@ class Bins {
     }
   }
 
-  binOf(boxes: Float32Array, item: number, axis: number): number {
-    const centre = (boxes[6 * item + axis] as number) + (boxes[6 * item + axis + 3] as number);
-    return ((centre - (this.#origin[axis] as number)) * (this.#scale[axis] as number)) | 0;
-  }
-
   add(boxes: Float32Array, from: number, to: number): void {
+    const [ox, oy, oz] = this.#origin as unknown as [number, number, number];
+    const [sx, sy, sz] = this.#scale as unknown as [number, number, number];
     const [counts, bins] = [this.#counts, this.#boxes];
-    for (let item = from; item < to; item += 1) {
-      const at = 6 * item;
+    for (let at = 6 * from; at < 6 * to; at += 6) {
       const x0 = boxes[at] as number;
       const y0 = boxes[at + 1] as number;
       const z0 = boxes[at + 2] as number;
       const x1 = boxes[at + 3] as number;
       const y1 = boxes[at + 4] as number;
       const z1 = boxes[at + 5] as number;
-      for (let axis = 0; axis < 3; axis += 1) {
-        const bin = axis * BINS + this.binOf(boxes, item, axis);
-        counts[bin] = (counts[bin] as number) + 1;
-        const b = 6 * bin;
-        if (x0 < (bins[b] as number)) bins[b] = x0;
-        if (y0 < (bins[b + 1] as number)) bins[b + 1] = y0;
-        if (z0 < (bins[b + 2] as number)) bins[b + 2] = z0;
-        if (x1 > (bins[b + 3] as number)) bins[b + 3] = x1;
-        if (y1 > (bins[b + 4] as number)) bins[b + 4] = y1;
-        if (z1 > (bins[b + 5] as number)) bins[b + 5] = z1;
-      }
+      include(counts, bins, binAt(x0 + x1, ox, sx), x0, y0, z0, x1, y1, z1);
+      include(counts, bins, BINS + binAt(y0 + y1, oy, sy), x0, y0, z0, x1, y1, z1);
+      include(counts, bins, 2 * BINS + binAt(z0 + z1, oz, sz), x0, y0, z0, x1, y1, z1);
     }
   }
 
   /** The cheapest split, where `leaf` items cost as much as one; null if the centres are all in one place. */
   best(leaf: number): Split | null {
-    let best: Split | null = null;
+    let [axis, bin] = [-1, 0];
     let least = Number.POSITIVE_INFINITY;
-    for (let axis = 0; axis < 3; axis += 1) {
-      if (this.#scale[axis] === 0) continue;
+    for (let along = 0; along < 3; along += 1) {
+      if (this.#scale[along] === 0) continue;
       let above = 0;
-      this.#startSweep();
-      for (let bin = this.#bins - 1; bin > 0; bin -= 1) {
-        above += this.#include(axis, bin);
-        this.#areas[bin] = above > 0 ? halfArea(this.#sweep) * Math.ceil(above / leaf) : -1;
+      clear(this.#sweep, 0);
+      for (let at = this.#bins - 1; at > 0; at -= 1) {
+        above += this.#take(along * BINS + at);
+        this.#costs[at] = above > 0 ? halfArea(this.#sweep) * Math.ceil(above / leaf) : -1;
       }
       let below = 0;
-      this.#startSweep();
-      for (let bin = 1; bin < this.#bins; bin += 1) {
-        below += this.#include(axis, bin - 1);
-        const rest = this.#areas[bin] as number;
+      clear(this.#sweep, 0);
+      for (let at = 1; at < this.#bins; at += 1) {
+        below += this.#take(along * BINS + at - 1);
+        const rest = this.#costs[at] as number;
         if (below === 0 || rest < 0) continue;
         const cost = halfArea(this.#sweep) * Math.ceil(below / leaf) + rest;
-        if (cost < least) {
-          least = cost;
-          best = { axis, bin };
-        }
+        if (cost < least) [least, axis, bin] = [cost, along, at];
       }
     }
-    return best;
-  }
-
-  #startSweep(): void {
-    this.#sweep.fill(Number.POSITIVE_INFINITY, 0, 3).fill(Number.NEGATIVE_INFINITY, 3);
+    if (axis < 0) return null;
+    return { axis, bin, origin: this.#origin[axis] as number, scale: this.#scale[axis] as number };
   }
 
   /** Widens the sweep's box by a bin's. @returns the bin's count */
-  #include(axis: number, bin: number): number {
+  #take(bin: number): number {
+    const count = this.#counts[bin] as number;
+    if (count === 0) return 0;
     const [sweep, bins] = [this.#sweep, this.#boxes];
-    const at = 6 * (axis * BINS + bin);
-    for (let i = 0; i < 3; i += 1) {
-      sweep[i] = Math.min(sweep[i] as number, bins[at + i] as number);
-      sweep[i + 3] = Math.max(sweep[i + 3] as number, bins[at + i + 3] as number);
-    }
-    return this.#counts[axis * BINS + bin] as number;
+    const at = 6 * bin;
+    if ((bins[at] as number) < (sweep[0] as number)) sweep[0] = bins[at] as number;
+    if ((bins[at + 1] as number) < (sweep[1] as number)) sweep[1] = bins[at + 1] as number;
+    if ((bins[at + 2] as number) < (sweep[2] as number)) sweep[2] = bins[at + 2] as number;
+    if ((bins[at + 3] as number) > (sweep[3] as number)) sweep[3] = bins[at + 3] as number;
+    if ((bins[at + 4] as number) > (sweep[4] as number)) sweep[4] = bins[at + 4] as number;
+    if ((bins[at + 5] as number) > (sweep[5] as number)) sweep[5] = bins[at + 5] as number;
+    return count;
   }
+}
+
+/** @param centre doubled */
+function binAt(centre: number, origin: number, scale: number): number {
+  return ((centre - origin) * scale) | 0;
+}
+
+/** Makes a box empty. */
+function clear(boxes: Float64Array, at: number): void {
+  boxes[at] = Number.POSITIVE_INFINITY;
+  boxes[at + 1] = Number.POSITIVE_INFINITY;
+  boxes[at + 2] = Number.POSITIVE_INFINITY;
+  boxes[at + 3] = Number.NEGATIVE_INFINITY;
+  boxes[at + 4] = Number.NEGATIVE_INFINITY;
+  boxes[at + 5] = Number.NEGATIVE_INFINITY;
+}
+
+/** Adds a box to a bin. Written out: three calls for each item at each level of the tree. */
+function include(
+  counts: Uint32Array,
+  bins: Float64Array,
+  bin: number,
+  x0: number,
+  y0: number,
+  z0: number,
+  x1: number,
+  y1: number,
+  z1: number,
+): void {
+  counts[bin] = (counts[bin] as number) + 1;
+  const at = 6 * bin;
+  if (x0 < (bins[at] as number)) bins[at] = x0;
+  if (y0 < (bins[at + 1] as number)) bins[at + 1] = y0;
+  if (z0 < (bins[at + 2] as number)) bins[at + 2] = z0;
+  if (x1 > (bins[at + 3] as number)) bins[at + 3] = x1;
+  if (y1 > (bins[at + 4] as number)) bins[at + 4] = y1;
+  if (z1 > (bins[at + 5] as number)) bins[at + 5] = z1;
 }
 
 function swap(boxes: Float32Array, order: Uint32Array, a: number, b: number): void {
@@ -174,6 +205,25 @@ function swap(boxes: Float32Array, order: Uint32Array, a: number, b: number): vo
     const value = boxes[6 * a + i] as number;
     boxes[6 * a + i] = boxes[6 * b + i] as number;
     boxes[6 * b + i] = value;
+  }
+}
+
+/** Puts the items below a split first. @returns the first one that is not */
+function partition(
+  boxes: Float32Array,
+  order: Uint32Array,
+  from: number,
+  to: number,
+  { axis, bin, origin, scale }: Split,
+): number {
+  const isBelow = (item: number): boolean =>
+    binAt((boxes[6 * item + axis] as number) + (boxes[6 * item + axis + 3] as number), origin, scale) < bin;
+  let [low, high] = [from, to - 1];
+  for (;;) {
+    while (low <= high && isBelow(low)) low += 1;
+    while (low <= high && !isBelow(high)) high -= 1;
+    if (low >= high) return low;
+    swap(boxes, order, low, high);
   }
 }
 
@@ -244,14 +294,7 @@ export async function buildBinaryTree(
     const split = depth + levels(count) < deepest ? bins.best(leaf) : null;
     // Halves of whole leaves, in whatever order the items are: they are all in one place, or there are too many levels.
     let middle = from + leaf * Math.ceil(count / 2 / leaf);
-    if (split !== null) {
-      middle = from;
-      for (let item = from; item < to; item += 1) {
-        if (bins.binOf(boxes, item, split.axis) >= split.bin) continue;
-        if (item !== middle) swap(boxes, order, item, middle);
-        middle += 1;
-      }
-    }
+    if (split !== null) middle = partition(boxes, order, from, to, split);
     const child = nodes.add();
     nodes.add();
     nodes.first[node] = child;
