@@ -94,18 +94,19 @@ async function boxesOf(
 ): Promise<{ boxes: Float32Array; numbers: Uint32Array }> {
   const boxes = new Float32Array(6 * count);
   const numbers = new Uint32Array(count);
+  const cross = new Float64Array(3);
   let length = 0;
   await pace.each(0, count, (from, to) => {
     for (let t = from; t < to; t += 1) {
-      const [a, b, c] = [
-        indices[3 * t] as number,
-        indices[3 * t + 1] as number,
-        indices[3 * t + 2] as number,
-      ];
-      const [x, y, z] = crossOfEdges(positions, a, b, c) as [number, number, number];
-      if (x === 0 && y === 0 && z === 0) continue;
+      const a = indices[3 * t]!;
+      const b = indices[3 * t + 1]!;
+      const c = indices[3 * t + 2]!;
+      crossOfEdges(cross, positions, a, b, c);
+      if (cross[0] === 0 && cross[1] === 0 && cross[2] === 0) continue;
       for (let k = 0; k < 3; k += 1) {
-        const [p, q, r] = [positions[3 * a + k]!, positions[3 * b + k]!, positions[3 * c + k]!];
+        const p = positions[3 * a + k]!;
+        const q = positions[3 * b + k]!;
+        const r = positions[3 * c + k]!;
         boxes[6 * length + k] = Math.min(p, q, r);
         boxes[6 * length + k + 3] = Math.max(p, q, r);
       }

@@ -119,17 +119,14 @@ async function normalsOf(geometry: BufferGeometry, triangles: Triangles, pace: P
   if (missing === 0) return normals;
   // Doubles: the products of two edges of a mesh in millimetres are beyond what is normal in a float32.
   const sums = new Float64Array(3 * vertices);
+  const cross = new Float64Array(3);
   await pace.each(0, count, (from, to) => {
     for (let t = from; t < to; t += 1) {
-      const [a, b, c] = [
-        indices[3 * t] as number,
-        indices[3 * t + 1] as number,
-        indices[3 * t + 2] as number,
-      ];
-      const cross = crossOfEdges(positions, a, b, c);
-      for (const vertex of [a, b, c])
-        for (let k = 0; k < 3; k += 1)
-          sums[3 * vertex + k] = (sums[3 * vertex + k] as number) + (cross[k] as number);
+      crossOfEdges(cross, positions, indices[3 * t]!, indices[3 * t + 1]!, indices[3 * t + 2]!);
+      for (let corner = 0; corner < 3; corner += 1) {
+        const at = 3 * indices[3 * t + corner]!;
+        for (let k = 0; k < 3; k += 1) sums[at + k] = sums[at + k]! + cross[k]!;
+      }
     }
   });
   await pace.each(0, vertices, (from, to) => {
@@ -145,7 +142,7 @@ async function normalsOf(geometry: BufferGeometry, triangles: Triangles, pace: P
 
 /** False, and nothing set, if the vector has no direction. */
 function setUnit(target: Float32Array, i: number, x: number, y: number, z: number): boolean {
-  const length = Math.hypot(x, y, z);
+  const length = Math.sqrt(x * x + y * y + z * z);
   if (!(length > 0 && length < Number.POSITIVE_INFINITY)) return false;
   target[3 * i] = x / length;
   target[3 * i + 1] = y / length;
@@ -153,12 +150,26 @@ function setUnit(target: Float32Array, i: number, x: number, y: number, z: numbe
   return true;
 }
 
-/** (b - a) x (c - a): twice the area along the normal of a triangle. */
-export function crossOfEdges(positions: Float32Array, a: number, b: number, c: number): number[] {
-  const at = (vertex: number, k: number): number => positions[3 * vertex + k] as number;
-  const [x1, y1, z1] = [at(b, 0) - at(a, 0), at(b, 1) - at(a, 1), at(b, 2) - at(a, 2)];
-  const [x2, y2, z2] = [at(c, 0) - at(a, 0), at(c, 1) - at(a, 1), at(c, 2) - at(a, 2)];
-  return [y1 * z2 - z1 * y2, z1 * x2 - x1 * z2, x1 * y2 - y1 * x2];
+/** Writes (b - a) x (c - a), twice the area along the normal of a triangle, at the start of `target`. */
+export function crossOfEdges(
+  target: Float64Array,
+  positions: Float32Array,
+  a: number,
+  b: number,
+  c: number,
+): void {
+  const x = positions[3 * a] as number;
+  const y = positions[3 * a + 1] as number;
+  const z = positions[3 * a + 2] as number;
+  const x1 = (positions[3 * b] as number) - x;
+  const y1 = (positions[3 * b + 1] as number) - y;
+  const z1 = (positions[3 * b + 2] as number) - z;
+  const x2 = (positions[3 * c] as number) - x;
+  const y2 = (positions[3 * c + 1] as number) - y;
+  const z2 = (positions[3 * c + 2] as number) - z;
+  target[0] = y1 * z2 - z1 * y2;
+  target[1] = z1 * x2 - x1 * z2;
+  target[2] = x1 * y2 - y1 * x2;
 }
 
 /**
@@ -191,13 +202,13 @@ async function tangentsOf(
   const alongV = new Float64Array(3 * vertices);
   await pace.each(0, count, (from, to) => {
     for (let t = from; t < to; t += 1) {
-      const [a, b, c] = [
-        indices[3 * t] as number,
-        indices[3 * t + 1] as number,
-        indices[3 * t + 2] as number,
-      ];
-      const [u1, v1] = [uvs[2 * b]! - uvs[2 * a]!, uvs[2 * b + 1]! - uvs[2 * a + 1]!];
-      const [u2, v2] = [uvs[2 * c]! - uvs[2 * a]!, uvs[2 * c + 1]! - uvs[2 * a + 1]!];
+      const a = indices[3 * t]!;
+      const b = indices[3 * t + 1]!;
+      const c = indices[3 * t + 2]!;
+      const u1 = uvs[2 * b]! - uvs[2 * a]!;
+      const v1 = uvs[2 * b + 1]! - uvs[2 * a + 1]!;
+      const u2 = uvs[2 * c]! - uvs[2 * a]!;
+      const v2 = uvs[2 * c + 1]! - uvs[2 * a + 1]!;
       const r = 1 / (u1 * v2 - u2 * v1);
       if (!Number.isFinite(r)) continue;
       for (let k = 0; k < 3; k += 1) {
@@ -205,7 +216,8 @@ async function tangentsOf(
         const e2 = positions[3 * c + k]! - positions[3 * a + k]!;
         const s = (v2 * e1 - v1 * e2) * r;
         const p = (u1 * e2 - u2 * e1) * r;
-        for (const at of [3 * a + k, 3 * b + k, 3 * c + k]) {
+        for (let corner = 0; corner < 3; corner += 1) {
+          const at = 3 * indices[3 * t + corner]! + k;
           alongU[at] = alongU[at]! + s;
           alongV[at] = alongV[at]! + p;
         }
@@ -214,8 +226,12 @@ async function tangentsOf(
   });
   await pace.each(0, vertices, (from, to) => {
     for (let i = from; i < to; i += 1) {
-      const [nx, ny, nz] = [normals[3 * i]!, normals[3 * i + 1]!, normals[3 * i + 2]!];
-      const [ux, uy, uz] = [alongU[3 * i]!, alongU[3 * i + 1]!, alongU[3 * i + 2]!];
+      const nx = normals[3 * i]!;
+      const ny = normals[3 * i + 1]!;
+      const nz = normals[3 * i + 2]!;
+      const ux = alongU[3 * i]!;
+      const uy = alongU[3 * i + 1]!;
+      const uz = alongU[3 * i + 2]!;
       const along = nx * ux + ny * uy + nz * uz;
       const handedness =
         (ny * uz - nz * uy) * alongV[3 * i]! +
