@@ -87,8 +87,10 @@ function resultOf(name: string): WasmType {
   return prefix.includes('x') || prefix === 'v128' ? 'v128' : (prefix as WasmType);
 }
 
+/** Instructions that take several times as long as others; and those that take no time. */
 const DEAR = /div|rem|sqrt/;
 const DEAR_COST = 6;
+const FREE = /reinterpret|splat|extract_lane/;
 
 /** An instruction on the values of its arguments. */
 export function op(name: string, ...args: readonly Code[]): Code {
@@ -97,7 +99,10 @@ export function op(name: string, ...args: readonly Code[]): Code {
 
 function withImmediate(name: string, immediate: readonly number[], args: readonly Code[]): Code {
   const bytes = args.flatMap((arg) => arg.bytes as number[]).concat(opcode(name), immediate);
-  const cost = args.reduce((sum, arg) => sum + arg.cost, DEAR.test(name) ? DEAR_COST : 1);
+  const cost = args.reduce(
+    (sum, arg) => sum + arg.cost,
+    DEAR.test(name) ? DEAR_COST : FREE.test(name) ? 0 : 1,
+  );
   return { type: resultOf(name), bytes, cost, stable: false, constant: null };
 }
 
@@ -121,9 +126,18 @@ export function shuffle(a: Code, b: Code, lanes: readonly number[]): Code {
   };
 }
 
-/** test ? yes : no, where both are computed. */
+/**
+ * test ? yes : no, where both are computed. Only whole numbers have an instruction for it in V8, others a
+ * branch: so floats are chosen by their bits, and vectors by a mask.
+ */
 export function select(test: Code, yes: Code, no: Code): Code {
   if (test.constant !== null) return test.constant !== 0 ? yes : no;
+  if (yes.type === 'v128')
+    return op('v128.bitselect', yes, no, op('i32x4.splat', op('i32.sub', i32(0), test)));
+  if (yes.type === 'f32') {
+    const [a, b] = [op('i32.reinterpret_f32', yes), op('i32.reinterpret_f32', no)];
+    return op('f32.reinterpret_i32', select(test, a, b));
+  }
   return {
     type: yes.type,
     bytes: [...yes.bytes, ...no.bytes, ...test.bytes, SELECT],

@@ -1,12 +1,14 @@
+import { wholeExponent } from '../emit.ts';
 import { evaluateExpression } from '../float64.ts';
-import type { Expr, Variable } from '../ir.ts';
-import { type ScalarName, scalarOf, type Type } from '../types.ts';
+import type { Expr, FunctionIR, Variable } from '../ir.ts';
+import { componentCount, type ScalarName, scalarOf, type Type } from '../types.ts';
 import type { Body } from './body.ts';
 import { builtin } from './builtins.ts';
 import { type Code, i32, localGet, op, select } from './code.ts';
 import { construct } from './construct.ts';
 import { hasEffects, isVariablePart } from './effects.ts';
 import { cellsOf, constantCells, fieldStart } from './layout.ts';
+import { mathFunction } from './math.ts';
 import { ELSE, END, IF, TYPE_CODES } from './opcodes.ts';
 import { arithmetic, compareCells, complement, equal, negate } from './operators.ts';
 import { type Place, readPlace, readTarget, type Target } from './places.ts';
@@ -32,6 +34,11 @@ export abstract class ExpressionWriter {
   }
 
   protected abstract call(e: Extract<Expr, { kind: 'call' }>): readonly Code[];
+  /** The value of a function and its outputs. */
+  protected abstract callFunction(
+    callee: FunctionIR,
+    values: readonly (readonly Code[])[],
+  ): [readonly Code[], (readonly Code[])[]];
   protected abstract placeOf(variable: Variable): Place;
   protected abstract target(e: Expr): Target;
   /** An element of what is no part of a variable. */
@@ -71,7 +78,7 @@ export abstract class ExpressionWriter {
       case 'call':
         return this.call(e);
       case 'builtin':
-        return builtin(this.unit, this.body, e, this.expressions(e.args));
+        return this.mathematics(e) ?? builtin(this.unit, this.body, e, this.expressions(e.args));
       case 'construct': {
         const types = e.args.map((arg) => arg.type);
         return construct(this.body, e.type, this.expressions(e.args), types);
@@ -101,6 +108,21 @@ export abstract class ExpressionWriter {
         for (const item of e.items.slice(0, -1)) this.effect(item);
         return this.expression(e.items.at(-1) as Expr);
     }
+  }
+
+  /** sin() and its like by functions of our own: vectors four at once. */
+  private mathematics(e: Extract<Expr, { kind: 'builtin' }>): readonly Code[] | null {
+    const size = componentCount(e.type);
+    const f = mathFunction(e.name, e.args.length, size === 1 ? 'scalar' : 'vector');
+    if (!f || wholeExponent(e) !== null) return null;
+    const args = this.expressions(e.args);
+    if (size === 1 || size === 4) return this.callFunction(f, args)[0];
+    const padded = args.map((cells): readonly Code[] => {
+      const first = this.body.pin(cells[0] as Code);
+      return compose(this.body, [first, cells[1] as Code, cells[2] ?? first, first], 'float');
+    });
+    const [result] = this.callFunction(f, padded);
+    return components(this.body, result, f.result).slice(0, size);
   }
 
   private pinnedTogether(codes: readonly Code[]): readonly Code[] {

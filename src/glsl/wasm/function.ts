@@ -212,15 +212,19 @@ export class FunctionWriter extends TargetWriter {
       const codes = qualifier === 'out' ? zeroCells(variable.type) : this.expression(arg);
       return e.args.slice(i + 1).some(hasEffects) ? this.body.pinAll(codes) : codes;
     });
-    const [result, outputs] = this.unit.inlines(callee)
-      ? this.inlineCall(callee, values)
-      : this.plainCall(callee, values);
+    const [result, outputs] = this.callFunction(callee, values);
     for (const target of targets)
       if (target) writeTarget(this.body, target, outputs.shift() as readonly Code[]);
     return result;
   }
 
-  /** The value of a function and its outputs, by its body. */
+  protected callFunction(
+    callee: FunctionIR,
+    values: readonly (readonly Code[])[],
+  ): [readonly Code[], (readonly Code[])[]] {
+    return this.unit.inlines(callee) ? this.inlineCall(callee, values) : this.plainCall(callee, values);
+  }
+
   private inlineCall(
     callee: FunctionIR,
     values: readonly (readonly Code[])[],

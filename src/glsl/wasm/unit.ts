@@ -38,7 +38,7 @@ export class Unit {
 
   private readonly symbols = new Map<FunctionIR | string, number>();
   private readonly functions = new Map<number, WasmFunction>();
-  private readonly imports: { module: string; name: string; symbol: number; count: number }[] = [];
+  private readonly imports: { module: string; name: string; symbol: number }[] = [];
   private readonly places = new Map<Variable, Place>();
   private readonly addressed = new Set<Variable>();
   private readonly data: number[] = [];
@@ -60,14 +60,14 @@ export class Unit {
     return symbol;
   }
 
-  /** A function of JavaScript's Math, from float64 to float64. */
-  math(name: string, count: number): number {
+  /** A function of JavaScript's Math, of one float64. */
+  math(name: string): number {
     const key = `Math.${name}`;
     let symbol = this.symbols.get(key);
     if (symbol === undefined) {
       symbol = this.symbols.size;
       this.symbols.set(key, symbol);
-      this.imports.push({ module: 'm', name, symbol, count });
+      this.imports.push({ module: 'm', name, symbol });
     }
     return symbol;
   }
@@ -109,9 +109,9 @@ export class Unit {
     return {
       memory,
       importedGlobals: ['scene', 'film', 'stack'],
-      importedFunctions: this.imports.map(({ count, ...f }) => ({
+      importedFunctions: this.imports.map((f) => ({
         ...f,
-        arguments: new Array<WasmType>(count).fill('f64'),
+        arguments: ['f64'],
         results: ['f64'],
       })),
       functions: new Map([...this.functions, [start, this.start()]]),
