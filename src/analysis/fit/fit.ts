@@ -9,7 +9,7 @@ import { Pace } from '../pace.ts';
 import { createRandom } from '../random.ts';
 import { Comparison } from './comparison.ts';
 import { determinacy } from './determinacy.ts';
-import { batchEvaluation, cpuEvaluation, type EvaluateSets } from './evaluate.ts';
+import { type EvaluateSets, exactEvaluation, quickEvaluation } from './evaluate.ts';
 import { derivatives } from './least-squares.ts';
 import { createLook, distance, lookDifferences } from './look.ts';
 import { meanSquare } from './metrics.ts';
@@ -21,32 +21,36 @@ import type { Candidate, Fit, FitErrors, FitOptions, FitTarget, FittedNumber, Ju
 export type * from './types.ts';
 
 /** Pairs of directions: to find the way, and to fit by. */
-const FEW = 160;
-const MANY = 1000;
+const FEW = 250;
+const MANY = 2000;
 /** Pixels along the side of the sphere that fits are chosen by. */
-const LOOK_SIZE = 14;
+const LOOK_SIZE = 20;
 /** And of the one that the last fit is made by: another grid, so that the choice is not its own. */
-const SMALL_LOOK_SIZE = 8;
+const SMALL_LOOK_SIZE = 13;
 /**
  * The lowest cosine: 89 degrees; for measurements 80 degrees, beyond which they are not to be trusted (B. Burley,
  * 2012, "Physically-Based Shading at Disney", section 3).
  */
 const LOWEST = { formula: Math.cos((89 * Math.PI) / 180), measured: Math.cos((80 * Math.PI) / 180) };
-/** A fit whose error is this share of the target is the target: no other metric has another. */
-const EXACT = 1e-5;
+/**
+ * A fit whose error is this share of the target, as far as float32 can tell, is the target: no other metric has
+ * another, and the rest of the way is gone in float64.
+ */
+const EXACT = 1e-3;
+const LAST_STEPS = 8;
 /** Steps of differences that stand for derivatives. */
 const STEP = { float64: 1e-6, float32: 1e-3 };
-/** The search's share of the time; the rest is for the other metrics. */
-const SEARCHING = 0.6;
+/** The search's share of the time; the rest is for the other metrics, or for the last steps. */
+const SEARCHING = 0.5;
 
 /** @throws BrdfParameterError if a value does not suit its parameter; whatever the signal aborts with */
 export async function fitModel(target: FitTarget, model: Model, options: FitOptions = {}): Promise<Fit> {
-  const { seed = 1, fixed = {}, gpu } = options;
+  const { seed = 1, fixed = {} } = options;
   const pace = new Pace(options.signal);
   const space = new ParameterSpace(model, fixed);
-  const exact = { evaluate: cpuEvaluation(model, pace), step: STEP.float64 };
+  const [quick, exact] = [quickEvaluation(model, pace), exactEvaluation(model, pace)];
   const targetValues = resolveParameters(target.model.file, target.parameters);
-  const ofTarget = cpuEvaluation(target.model, pace);
+  const ofTarget = exactEvaluation(target.model, pace);
   const compare = async (count: number, salt: number) => {
     const lowest = target.model.data ? LOWEST.measured : LOWEST.formula;
     const pairs = samplePairs(count, seed + salt, lowest);
@@ -63,46 +67,50 @@ export async function fitModel(target: FitTarget, model: Model, options: FitOpti
     random: createRandom(seed),
     coarse: await compare(FEW, 0),
     fine: await compare(MANY, 1),
-    quick: gpu ? { evaluate: batchEvaluation(gpu, pace), step: STEP.float32 } : exact,
-    exact,
+    evaluate: quick,
+    step: STEP.float32,
     report: (done, error) => report(SEARCHING * done, error),
   };
+  /** The search goes on after its own share; `i` of `count` parts. */
+  const part = (i: number, count: number): Search => ({
+    ...search,
+    report: (done, error) => report(SEARCHING + ((i + done) * (1 - SEARCHING)) / count, error),
+  });
+  const size = search.fine.size('cube root');
 
-  const picture = await pictureOf(LOOK_SIZE, ofTarget, targetValues);
-  const errorsOf = async (parameters: ParameterValues): Promise<FitErrors> => {
-    const [roots] = await search.fine.differences('cube root', exact.evaluate, [parameters]);
-    const [seen] = await picture(exact.evaluate, [parameters]);
+  const picture = await pictureOf(LOOK_SIZE, target.model, targetValues, pace);
+  const errorsOf = async (parameters: ParameterValues, evaluate: EvaluateSets): Promise<FitErrors> => {
+    const [roots] = await search.fine.differences('cube root', evaluate, [parameters]);
+    const [seen] = await picture(quick, [parameters]);
     return {
       cubeRoot: Math.sqrt(meanSquare(roots as Float64Array)),
       look: distance(seen as Float64Array),
     };
   };
   const candidates: Found[] = [];
-  const add = async (metric: Judge, place: Place) => {
+  const add = async (metric: Judge, place: Place, evaluate = quick) => {
     const parameters = space.values(place.point, place.switches);
-    candidates.push({ metric, place, parameters, ...(await errorsOf(parameters)) });
+    candidates.push({ metric, place, parameters, ...(await errorsOf(parameters, evaluate)) });
   };
   const better = () => candidates.reduce((a, b) => (b.look < a.look ? b : a));
 
-  const best = await findBest(search);
   const byRoots: Differences = (evaluate, sets) => search.fine.differences('cube root', evaluate, sets);
-  await add('cube root', await withoutIdle(search, best, byRoots));
-  if (Math.sqrt(best.error) > EXACT * search.fine.size('cube root')) {
-    const part = (i: number): Search => ({
-      ...search,
-      report: (done, error) => report(SEARCHING + ((i + done) * (1 - SEARCHING)) / 3, error),
-    });
+  const best = await withoutIdle(search, await findBest(search), byRoots);
+  if (Math.sqrt(best.error) < EXACT * size) {
+    const lastly = { ...part(0, 1), evaluate: exact, step: STEP.float64 };
+    await add('cube root', await improve(lastly, best, byRoots, LAST_STEPS), exact);
+  } else {
+    await add('cube root', best);
     for (const [i, metric] of (['logarithm', 'cosine'] as const).entries()) {
       const differences: Differences = (evaluate, sets) => search.fine.differences(metric, evaluate, sets);
-      await add(metric, await withoutIdle(search, await improve(part(i), best, differences), differences));
+      await add(metric, await withoutIdle(search, await improve(part(i, 3), best, differences), differences));
     }
     const [roots] = candidates as [Found];
-    const small = await pictureOf(SMALL_LOOK_SIZE, ofTarget, targetValues);
     const both = together([
-      { differences: small, scale: roots.look },
+      { differences: await pictureOf(SMALL_LOOK_SIZE, target.model, targetValues, pace), scale: roots.look },
       { differences: byRoots, scale: roots.cubeRoot },
     ]);
-    await add('look', await withoutIdle(search, await improve(part(2), better().place, both), both));
+    await add('look', await withoutIdle(search, await improve(part(2, 3), better().place, both), both));
   }
 
   const chosen = better();
@@ -111,8 +119,8 @@ export async function fitModel(target: FitTarget, model: Model, options: FitOpti
     model: model.name,
     parameters: inOrder(model, chosen.parameters),
     errors: { cubeRoot: chosen.cubeRoot, look: chosen.look },
-    defaults: await errorsOf(resolveParameters(model.file, fixed)),
-    size: search.fine.size('cube root'),
+    defaults: await errorsOf(resolveParameters(model.file, fixed), quick),
+    size,
     metric: chosen.metric,
     candidates: candidates.map(({ place: _, ...candidate }) => candidate),
     numbers: space.axes.map((axis, i) => fittedNumber(axis, chosen.place.point[i], play[i])),
@@ -129,11 +137,12 @@ interface Found extends Candidate {
 /** The differences of a model's lit sphere from the target's, pixel by pixel in Oklab. */
 async function pictureOf(
   size: number,
-  ofTarget: EvaluateSets,
-  target: ParameterValues,
+  model: Model,
+  parameters: ParameterValues,
+  pace: Pace,
 ): Promise<Differences> {
   const look = createLook(size);
-  const [wanted] = (await ofTarget([target], look.pairs)).map(look.shade);
+  const [wanted] = (await quickEvaluation(model, pace)([parameters], look.pairs)).map(look.shade);
   return async (evaluate, sets) => {
     const found = await evaluate(sets, look.pairs);
     return found.map((values) => lookDifferences(look.shade(values), wanted as Float64Array));
@@ -157,13 +166,13 @@ function together(kinds: readonly { differences: Differences; scale: number }[])
   };
 }
 
-async function playAt({ space, fine, exact }: Search, { point, switches }: Place) {
+async function playAt({ space, fine, evaluate, step }: Search, { point, switches }: Place) {
   const residuals = (points: readonly Float64Array[]) => {
     const sets = points.map((next) => space.values(next, switches));
-    return fine.differences('cube root', exact.evaluate, sets);
+    return fine.differences('cube root', evaluate, sets);
   };
   const [values] = (await residuals([point])) as [Float64Array];
-  const columns = await derivatives(residuals, point, values, exact.step);
+  const columns = await derivatives(residuals, point, values, step);
   return determinacy(columns, fine.size('cube root'));
 }
 

@@ -7,12 +7,12 @@ import { meanSquare } from './metrics.ts';
 import type { ParameterSpace } from './parameter-space.ts';
 
 /** Points that are tried, of which the best are starts. */
-const SPREAD = 160;
-const STARTS = 6;
+const SPREAD = 400;
+const STARTS = 10;
 /** Starts that are followed to the end. */
-const FINALISTS = 2;
-/** Steps in float64 from where float32 has come to. */
-const POLISH = 4;
+const FINALISTS = 3;
+/** Errors that differ by less are one error, in float32. */
+const SAME = 1e-4;
 
 export interface Place {
   readonly point: Float64Array;
@@ -27,9 +27,9 @@ export interface Search {
   /** At few directions, to find the way; and at many. */
   readonly coarse: Comparison;
   readonly fine: Comparison;
-  /** In float32, if there is a GPU; `step` is that of derivatives by differences. */
-  readonly quick: { readonly evaluate: EvaluateSets; readonly step: number };
-  readonly exact: { readonly evaluate: EvaluateSets; readonly step: number };
+  readonly evaluate: EvaluateSets;
+  /** Of the differences that stand for derivatives. */
+  readonly step: number;
   /** Called with the share of the search that is done and an error that was reached. */
   readonly report: (done: number, error: number) => void;
 }
@@ -42,8 +42,6 @@ export type Differences = (
 
 interface Descent {
   readonly differences: Differences;
-  /** Whether it is to end in float64. */
-  readonly toTheEnd: boolean;
   readonly iterations: number;
   readonly tolerance: number;
   /** The share of the search that is done before and after. */
@@ -63,7 +61,6 @@ export async function findBest(search: Search): Promise<Place> {
     found.push(
       await descend(search, start, {
         differences: byFew,
-        toTheEnd: false,
         iterations: 25,
         tolerance: 1e-2,
         counts: false,
@@ -78,7 +75,6 @@ export async function findBest(search: Search): Promise<Place> {
     ends.push(
       await descend(search, start, {
         differences: (evaluate, sets) => search.fine.differences('cube root', evaluate, sets),
-        toTheEnd: true,
         iterations: 30,
         tolerance: 1e-3,
         counts: true,
@@ -91,11 +87,15 @@ export async function findBest(search: Search): Promise<Place> {
 }
 
 /** The best place near another under one more metric. */
-export function improve(search: Search, start: Place, differences: Differences): Promise<Place> {
+export function improve(
+  search: Search,
+  start: Place,
+  differences: Differences,
+  iterations = 12,
+): Promise<Place> {
   return descend(search, start, {
     differences,
-    toTheEnd: true,
-    iterations: 12,
+    iterations,
     tolerance: 1e-3,
     counts: false,
     from: 0,
@@ -107,10 +107,10 @@ export function improve(search: Search, start: Place, differences: Differences):
 export async function withoutIdle(search: Search, place: Place, differences: Differences): Promise<Place> {
   const { space } = search;
   const errorAt = async (point: Float64Array) => {
-    const [values] = await differences(search.exact.evaluate, [space.values(point, place.switches)]);
+    const [values] = await differences(search.evaluate, [space.values(point, place.switches)]);
     return meanSquare(values as Float64Array);
   };
-  const limit = (await errorAt(place.point)) * (1 + 1e-6) + 1e-24;
+  const limit = (await errorAt(place.point)) * (1 + SAME);
   let { point } = place;
   for (const group of space.groups) {
     const moved = Float64Array.from(point);
@@ -129,7 +129,7 @@ async function bestStarts(search: Search, differences: Differences) {
     const count = Math.ceil(SPREAD / space.switches.length);
     const points = [space.defaults, ...(space.axes.length ? space.spread(count, random) : [])];
     const sets = points.map((point) => space.values(point, switches));
-    const found = await differences(search.quick.evaluate, sets);
+    const found = await differences(search.evaluate, sets);
     const places = found
       .map((values, k) => ({ point: points[k] as Float64Array, switches, error: meanSquare(values) }))
       .sort((a, b) => a.error - b.error);
@@ -141,30 +141,20 @@ async function bestStarts(search: Search, differences: Differences) {
 }
 
 async function descend(search: Search, start: Place, descent: Descent): Promise<Place> {
-  const { space, quick, exact } = search;
-  const { differences, toTheEnd, iterations, tolerance, from, to, counts } = descent;
+  const { space, evaluate, step } = search;
+  const { differences, iterations, tolerance, from, to, counts } = descent;
   const { switches } = start;
-  let done = 0;
-  const run = ({ evaluate, step }: Search['exact'], point: Float64Array, most: number) =>
-    leastSquares(
-      (points) =>
-        differences(
-          evaluate,
-          points.map((next) => space.values(next, switches)),
-        ),
-      point,
-      {
-        iterations: most,
-        tolerance,
-        step,
-        onIteration: (error) => {
-          done++;
-          const share = Math.min(1, done / iterations);
-          search.report(from + (to - from) * share, counts ? error : Number.POSITIVE_INFINITY);
-        },
-      },
+  const residuals = (points: readonly Float64Array[]) =>
+    differences(
+      evaluate,
+      points.map((point) => space.values(point, switches)),
     );
-  let found = await run(quick, start.point, iterations);
-  if (toTheEnd && quick !== exact) found = await run(exact, found.point, POLISH);
+  let done = 0;
+  const onIteration = (error: number) => {
+    done++;
+    const share = Math.min(1, done / iterations);
+    search.report(from + (to - from) * share, counts ? error : Number.POSITIVE_INFINITY);
+  };
+  const found = await leastSquares(residuals, start.point, { iterations, tolerance, step, onIteration });
   return { ...found, switches };
 }

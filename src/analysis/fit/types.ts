@@ -1,6 +1,5 @@
 import type { ParameterValues } from '../../brdf/model.ts';
 import type { Model } from '../../glsl/model.ts';
-import type { GpuEvaluation } from '../verdict/types.ts';
 import type { Metric } from './metrics.ts';
 
 /** What is to be reproduced: measured data, or a model with values for its parameters. */
@@ -18,8 +17,6 @@ export interface FitOptions {
   readonly signal?: AbortSignal;
   /** Called now and then with the share that is done, 0 to 1, and the smallest cube-root error so far. */
   readonly onProgress?: (done: number, error: number) => void;
-  /** Evaluates the model that is fitted, many points at once; the CPU does without it, and the last steps always. */
-  readonly gpu?: GpuEvaluation;
 }
 
 export interface FitErrors {

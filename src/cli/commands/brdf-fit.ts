@@ -4,7 +4,6 @@ import { fitModel } from '../../analysis/fit/fit.ts';
 import type { Parameter, ParameterValue } from '../../brdf/model.ts';
 import type { Model } from '../../glsl/model.ts';
 import { type Command, type OptionValue, UsageError } from '../command.ts';
-import { gpuEvaluation } from '../eval/gpu-evaluation.ts';
 import { checkOutput, writeOutput } from '../files.ts';
 import { fitTable } from '../fit-table.ts';
 import { modelArgument, modelFiles } from '../model-argument.ts';
@@ -22,7 +21,6 @@ const command: Command = {
     '  --parameters JSON  values for the parameters of TARGET: \'{"roughness": 0.3}\'',
     '  --fix NAME=VALUE   a parameter of the model that keeps a value; a colour is r,g,b. Can be given again.',
     '  --seed N           of the search, which is the same for the same seed; 1 is the default',
-    '  --backend cpu|gpu  gpu: the search runs on a GPU, or the software one; the last steps in 64 bits',
     '  --json             as JSON: {"model", "parameters", "errors": {"cubeRoot", "look"}, "defaults", "size",',
     '                     "metric", "candidates", "numbers": [{"name", "value", "play", "bound"}], "loose"}',
     '  -o FILE            writes the material as documents have it: {"name", "model", "parameters"}',
@@ -32,7 +30,6 @@ const command: Command = {
     parameters: { type: 'string', default: '{}' },
     fix: { type: 'string', multiple: true },
     seed: { type: 'string', default: '1' },
-    backend: { type: 'string', default: 'cpu' },
     json: { type: 'boolean' },
     output: { type: 'string', short: 'o' },
   },
@@ -41,15 +38,12 @@ const command: Command = {
     if (typeof options.model !== 'string') throw new UsageError('brdf fit: --model names what is fitted');
     const target = { model: modelArgument(word), parameters: targetParameters(options.parameters) };
     const model = modelArgument(options.model);
-    const { backend, json, output } = options;
-    if (backend !== 'cpu' && backend !== 'gpu')
-      throw new UsageError(`--backend ${backend}: expected cpu or gpu`);
+    const { json, output } = options;
     if (typeof output === 'string') checkOutput(output, `-o ${output}`);
     const line = progressLine(!json);
     const fit = await fitModel(target, model, {
       seed: seedOf(options.seed),
       fixed: fixedValues(model, options.fix),
-      ...(backend === 'gpu' && { gpu: await gpuEvaluation(model) }),
       onProgress: (done, error) => line(done, Number.isFinite(error) ? `error ${error.toPrecision(3)}` : ''),
     });
     if (typeof output === 'string') {
