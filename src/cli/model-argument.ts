@@ -1,16 +1,13 @@
 import { existsSync } from 'node:fs';
 import { loadModel, shippedModels } from '../../models/index.ts';
 import type { Model } from '../glsl/model.ts';
-import { loadMeasured } from '../scene/measured.ts';
+import { isMeasuredFile, loadMeasured, measuredKinds } from '../scene/measured.ts';
 import { CliError } from './command.ts';
 import { readInput } from './files.ts';
 import { isSaved, savedModel } from './saved-model.ts';
 
-/** Whether a file's ending says that it holds measurements. */
-export const isMeasured = (word: string): boolean => /\.binary$/i.test(word);
-
 /** The files that modelArgument() takes, for `--help`. */
-export const modelFiles = 'a .brdf file, saved parameters (.bparam), or a measured BRDF (.binary of MERL)';
+export const modelFiles = `a .brdf file, saved parameters (.bparam), or measurements: ${measuredKinds}`;
 
 /** The model that MODEL|FILE means: one that ships, by its name, or a file's. */
 export function modelArgument(word: string): Model {
@@ -18,7 +15,7 @@ export function modelArgument(word: string): Model {
   if (shipped) return shipped;
   if (existsSync(word)) {
     const bytes = readInput(word);
-    if (isMeasured(word)) return loadMeasured(bytes, word);
+    if (isMeasuredFile(word)) return loadMeasured(bytes, word);
     const text = bytes.toString('utf8');
     return isSaved(word) ? savedModel(text, word, modelArgument) : loadModel(text, word);
   }

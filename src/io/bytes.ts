@@ -11,6 +11,15 @@ export class ByteError extends Error {
   }
 }
 
+/** @throws ByteError if a file of samples is not exactly as long as its head says */
+export function checkSize(bytes: Uint8Array, size: number, fileName: string): void {
+  const more = size - bytes.length;
+  if (more > 0)
+    throw new ByteError(fileName, bytes.length, `the file ends here; expected ${more} more bytes of samples`);
+  if (more < 0)
+    throw new ByteError(fileName, size, `${-more} bytes after the last sample; expected the end of the file`);
+}
+
 /** Reads little-endian values and never beyond the end. */
 export class ByteReader {
   #at = 0;
@@ -46,8 +55,14 @@ export class ByteReader {
   uint8(): number {
     return this.#view.getUint8(this.#take(1));
   }
+  uint16(): number {
+    return this.#view.getUint16(this.#take(2), true);
+  }
   int32(): number {
     return this.#view.getInt32(this.#take(4), true);
+  }
+  uint32(): number {
+    return this.#view.getUint32(this.#take(4), true);
   }
   uint64(): number {
     return Number(this.#view.getBigUint64(this.#take(8), true));

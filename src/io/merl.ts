@@ -2,27 +2,21 @@
  * Measured BRDFs in the format of the MERL database (`.binary`), and packed to a quarter of that size, as a
  * document keeps them (docs/decisions/measured-data.md).
  */
-import { ByteError, ByteReader } from './bytes.ts';
+import { ByteError, ByteReader, checkSize } from './bytes.ts';
+import { LARGEST, PACKED_SAMPLE_SIZE, packSamples, unpackSamples } from './packed-samples.ts';
 
 /** Bins of theta_h, theta_d and phi_d; phi_d varies fastest. */
 export const MERL_BINS = [90, 90, 180] as const;
 export const MERL_SAMPLES = MERL_BINS[0] * MERL_BINS[1] * MERL_BINS[2];
 /** What the database's values are multiplied by, red, green and blue, to be in 1/sr. */
 export const MERL_SCALES = [1 / 1500, 1.15 / 1500, 1.66 / 1500] as const;
-export const PACKED_MERL_TYPE = 'application/x-irradia-merl';
 
 const HEADER_SIZE = 12;
 const FILE_SIZE = HEADER_SIZE + MERL_SAMPLES * 3 * 8;
 const COLORS = ['red', 'green', 'blue'] as const;
 
-/** No reflection is as strong: a mirror seen through a thousandth of a degree is not. */
-const LARGEST = 2 ** 24;
-const SMALLEST = 1 / LARGEST;
-
-const MAGIC = new TextEncoder().encode('irrmerl1');
-const PACKED_SIZE = MAGIC.length + MERL_SAMPLES * 3 * 2;
-/** Codes from 1 divide the logarithms of SMALLEST to LARGEST evenly; 0 is 0. */
-const CODES_PER_OCTAVE = 65534 / 48;
+export const PACKED_MERL_MAGIC: Uint8Array = new TextEncoder().encode('irrmerl1');
+const PACKED_SIZE = PACKED_MERL_MAGIC.length + MERL_SAMPLES * 3 * PACKED_SAMPLE_SIZE;
 
 /**
  * The samples as RGB triples in 1/sr, in the order of the file. Where the file has no data they have the
@@ -31,7 +25,9 @@ const CODES_PER_OCTAVE = 65534 / 48;
  * @throws ByteError naming the file, the byte and what is wrong there
  */
 export function readMerl(bytes: Uint8Array, fileName: string): Float32Array {
-  return MAGIC.every((byte, i) => bytes[i] === byte) ? unpack(bytes, fileName) : readBinary(bytes, fileName);
+  return PACKED_MERL_MAGIC.every((byte, i) => bytes[i] === byte)
+    ? unpack(bytes, fileName)
+    : readBinary(bytes, fileName);
 }
 
 function readBinary(bytes: Uint8Array, fileName: string): Float32Array {
@@ -65,14 +61,6 @@ function readBinary(bytes: Uint8Array, fileName: string): Float32Array {
   return data;
 }
 
-function checkSize(bytes: Uint8Array, size: number, fileName: string): void {
-  const more = size - bytes.length;
-  if (more > 0)
-    throw new ByteError(fileName, bytes.length, `the file ends here; expected ${more} more bytes of samples`);
-  if (more < 0)
-    throw new ByteError(fileName, size, `${-more} bytes after the last sample; expected the end of the file`);
-}
-
 /** Negative samples mean that there is no data. */
 function fillMissing(data: Float32Array, fileName: string): void {
   const [, thetaD, phiD] = MERL_BINS;
@@ -95,26 +83,17 @@ function fillMissing(data: Float32Array, fileName: string): void {
   if (!found) throw new ByteError(fileName, HEADER_SIZE, 'every sample is negative: the file has no data');
 }
 
-/** The samples in 16 bits each: equal steps of the logarithm, within .03 % of the value. */
+/** The samples in 16 bits each, within .03 % of the value. */
 export function packMerl(data: Float32Array): Uint8Array<ArrayBuffer> {
   const bytes = new Uint8Array(PACKED_SIZE);
-  bytes.set(MAGIC);
-  const view = new DataView(bytes.buffer);
-  for (const [i, value] of data.entries()) {
-    const code = value < SMALLEST ? 0 : 1 + Math.round((Math.log2(value) + 24) * CODES_PER_OCTAVE);
-    view.setUint16(MAGIC.length + i * 2, code, true);
-  }
+  bytes.set(PACKED_MERL_MAGIC);
+  packSamples(data, bytes, PACKED_MERL_MAGIC.length);
   return bytes;
 }
 
 function unpack(bytes: Uint8Array, fileName: string): Float32Array {
   checkSize(bytes, PACKED_SIZE, fileName);
-  const values = Float32Array.from({ length: 65536 }, (_, code) =>
-    code === 0 ? 0 : 2 ** ((code - 1) / CODES_PER_OCTAVE - 24),
-  );
-  const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
   const data = new Float32Array(MERL_SAMPLES * 3);
-  for (let i = 0; i < data.length; i++)
-    data[i] = values[view.getUint16(MAGIC.length + i * 2, true)] as number;
+  unpackSamples(bytes, PACKED_MERL_MAGIC.length, data);
   return data;
 }

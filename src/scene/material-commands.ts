@@ -133,7 +133,7 @@ export function addModel(store: DocumentStore, fileName: string, source: string)
 export function modelNameFor(store: DocumentStore, fileName: string): string {
   const base = fileName
     .replace(/^.*[/\\]/, '')
-    .replace(/\.(brdf|binary)$/i, '')
+    .replace(/\.[A-Za-z0-9]+$/, '')
     .replace(/[^A-Za-z0-9 ._-]/g, '-')
     .slice(0, 48);
   return freeName(modelNamePattern.test(base) ? base : 'model', modelNames(store.document));

@@ -5,7 +5,9 @@ import { createEvaluator } from '../../src/glsl/evaluator.ts';
 import type { Model } from '../../src/glsl/model.ts';
 import { BrdfMaterial } from '../../src/material/brdf-material.ts';
 import { loadMeasured } from '../../src/scene/measured.ts';
+import { writeCsail } from '../io/csail-writer.ts';
 import { writeMerl } from '../io/merl-writer.ts';
+import { writeRgl } from '../io/rgl-writer.ts';
 import { testRenderer } from '../support/gpu.ts';
 import { drawSphere, drawSurface, LIGHT_CASES, SIZE, sphereGeometry, surfaceAt } from './lit-sphere.ts';
 
@@ -46,11 +48,22 @@ test.each(Object.keys(LIGHT_CASES))(
   },
 );
 
-test('the GPU’s lookup is the float64 one in every pixel', async () => {
+const matte = createEvaluator(shippedModels.get('principled') as Model, { roughness: 0.8, anisotropic: 0.5 });
+/** A file of each format, by the name that tells it. */
+const files: Record<string, () => Uint8Array> = {
+  'gloss.binary': () => writeMerl((L, V) => evaluator.f(L, V)),
+  'isotropic.bsdf': () => writeRgl((L, V) => matte.f(L, V), { thetas: 8, resolution: 24 }),
+  'anisotropic.bsdf': () =>
+    writeRgl((L, V) => matte.f(L, V), { thetas: 4, phis: 5, symmetry: 2, resolution: 12 }),
+  'brushed.dat': () => writeCsail((L, V) => matte.f(L, V), { bins: [10, 10, 24, 12] }),
+};
+
+test.each(Object.keys(files))('the GPU’s lookup is the float64 one in every pixel: %s', async (name) => {
   const light = LIGHT_CASES.directional as (typeof LIGHT_CASES)[string];
-  const pixels = await drawSphere(renderer, geometry, new BrdfMaterial(measured), light.create());
-  const lookup = createEvaluator(measured);
-  let worst = 0;
+  const model = loadMeasured((files[name] as () => Uint8Array)(), name);
+  const pixels = await drawSphere(renderer, geometry, new BrdfMaterial(model), light.create());
+  const lookup = createEvaluator(model);
+  let [worst, lit] = [0, 0];
   for (let i = 0; i < SIZE * SIZE; i++) {
     const surface = surfaceAt(surfaces, i % SIZE, Math.floor(i / SIZE));
     const arriving = surface && light.arrives(surface.point);
@@ -61,9 +74,11 @@ test('the GPU’s lookup is the float64 one in every pixel', async () => {
     const f = lookup.f(arriving.l, V, frame);
     f.forEach((x, c) => {
       const expected = x * arriving.E * Math.max(cosine(arriving.l), 0);
+      lit += expected;
       worst = Math.max(worst, Math.abs((pixels[i * 4 + c] as number) - expected) / Math.max(expected, 1e-3));
     });
   }
+  expect(lit).toBeGreaterThan(100);
   expect(worst).toBeLessThan(1e-3);
 });
 

@@ -1,8 +1,8 @@
-import { checkModel, type GpuEvaluation } from '../../analysis/verdict/verdict.ts';
-import type { Model } from '../../glsl/model.ts';
+import { checkModel } from '../../analysis/verdict/verdict.ts';
 import { type Command, UsageError } from '../command.ts';
-import type { Backend } from '../eval/query.ts';
-import { modelArgument } from '../model-argument.ts';
+import { gpuEvaluation } from '../eval/gpu-evaluation.ts';
+import { modelArgument, modelFiles } from '../model-argument.ts';
+import { progressLine } from '../progress.ts';
 import { verdictTable } from '../verdict-table.ts';
 
 const command: Command = {
@@ -14,7 +14,7 @@ const command: Command = {
     'docs/verdict.md explains each law.',
     '',
     '  MODEL       a model that ships; `irradia brdf list` names them',
-    '  FILE        a .brdf file, or a measured BRDF (.binary of the MERL database)',
+    `  FILE        ${modelFiles}`,
     '  --json      as JSON: {"model", "sound", "checks": [{"property", "outcome", "figure", "figureText",',
     '              "sentence", "worst": {"term", "parameters", "l", "v"}}]}',
     '  --backend   gpu: compares a GPU, or the software one, with float64 as well; cpu is the default',
@@ -26,32 +26,10 @@ const command: Command = {
     if (backend !== 'cpu' && backend !== 'gpu')
       throw new UsageError(`--backend ${backend}: expected cpu or gpu`);
     const gpu = backend === 'gpu' ? await gpuEvaluation(model) : null;
-    const verdict = await checkModel(model, { ...(gpu && { gpu }), onProgress: showProgress(!json) });
+    const verdict = await checkModel(model, { ...(gpu && { gpu }), onProgress: progressLine(!json) });
     console.log(json ? JSON.stringify(verdict, null, 2) : verdictTable(verdict, model.parameters).join('\n'));
     return verdict.sound ? 0 : 1;
   },
 };
 
 export default command;
-
-async function gpuEvaluation(model: Model): Promise<GpuEvaluation> {
-  const { createNodeRenderer } = await import('../node-renderer.ts');
-  const { gpuBackend } = await import('../eval/gpu.ts');
-  const renderer = await createNodeRenderer({ width: 1, height: 1 });
-  const backends = new Map<string, Backend>();
-  return (term, points) => {
-    const backend = backends.get(term) ?? gpuBackend(model, term, renderer);
-    backends.set(term, backend);
-    return backend(points);
-  };
-}
-
-/** One line that is overwritten, only where a person watches. */
-function showProgress(wanted: boolean): (done: number, property: string) => void {
-  if (!wanted || !process.stderr.isTTY) return () => {};
-  return (done, property) => {
-    process.stderr.write(
-      done < 1 ? `\r${Math.round(100 * done)} % ${property.padEnd(14)}` : `\r${' '.repeat(24)}\r`,
-    );
-  };
-}

@@ -3,7 +3,7 @@ import type { Model } from '../../glsl/model.ts';
 import { type Call, type Command, UsageError } from '../command.ts';
 import { cpuBackend } from '../eval/cpu.ts';
 import { type Backend, parseQuery, type Query } from '../eval/query.ts';
-import { modelArgument } from '../model-argument.ts';
+import { modelArgument, modelFiles } from '../model-argument.ts';
 
 const command: Command = {
   usage: 'brdf eval MODEL|FILE [--backend cpu|gpu] [--term NAME]',
@@ -17,7 +17,7 @@ const command: Command = {
     'is an array of 3 linear numbers. A bad line gets {"error": "..."} in its place, and the exit code is 1.',
     '',
     '  MODEL       a model that ships; `irradia brdf list` names them',
-    '  FILE        a .brdf file, or a measured BRDF (.binary of the MERL database)',
+    `  FILE        ${modelFiles}`,
     '  --backend   cpu: 64-bit floats (the default); gpu: 32-bit floats, a GPU or the software one',
     '  --term      one term of the model instead of all of it; `irradia brdf show` names them',
   ],

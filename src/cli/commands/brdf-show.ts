@@ -1,14 +1,14 @@
 import type { Parameter } from '../../brdf/model.ts';
 import type { Model } from '../../glsl/model.ts';
 import type { Command } from '../command.ts';
-import { modelArgument } from '../model-argument.ts';
+import { modelArgument, modelFiles } from '../model-argument.ts';
 
 const command: Command = {
   usage: 'brdf show MODEL|FILE [--json]',
   summary: 'What a model is: parameters with ranges, terms, references.',
   details: [
     '  MODEL    a model that ships; `irradia brdf list` names them',
-    '  FILE     a .brdf file, or a measured BRDF (.binary of the MERL database)',
+    `  FILE     ${modelFiles}`,
     '  --json   as JSON: {"name", "title", "documentation", "references", "parameters", "terms", "sampling"}',
   ],
   options: { json: { type: 'boolean' } },

@@ -2,12 +2,12 @@ import { existsSync } from 'node:fs';
 import { extname } from 'node:path';
 import { modelSources, shippedModels } from '../../../models/index.ts';
 import { sceneNames } from '../../../scenes/index.ts';
-import { measuredAsset } from '../../scene/measured.ts';
+import { isMeasuredFile, measuredAsset } from '../../scene/measured.ts';
 import type { Document } from '../../scene/schema.ts';
 import { CliError, type Command, UsageError } from '../command.ts';
 import { checkOutput, readInput, writeOutput } from '../files.ts';
 import type { DeviceChoice } from '../gpu.ts';
-import { isMeasured, modelArgument } from '../model-argument.ts';
+import { modelArgument, modelFiles } from '../model-argument.ts';
 import { packageVersion } from '../package-root.ts';
 import { previewDocument } from '../preview.ts';
 import { sceneArgument } from '../scene-argument.ts';
@@ -21,7 +21,7 @@ const command: Command = {
   details: [
     '  SCENE      a scene that ships',
     '  MODEL      a model that ships; `irradia brdf list` names them',
-    '  FILE       a document, a .brdf file, or a measured BRDF (.binary of the MERL database)',
+    `  FILE       a document, ${modelFiles}`,
     '  -o         a .png is what the lab shows; an .exr has the linear radiance, before exposure and tone mapping',
     `  --size     width and height in pixels; otherwise ${DEFAULT_SIZE}`,
     '  --device   auto: a GPU if there is one, else the software GPU (the default)',
@@ -78,7 +78,7 @@ async function documentFor(word: string): Promise<Document> {
     const { name } = modelArgument(word);
     return previewDocument(name, { source: readInput(word).toString('utf8') }, word);
   }
-  if (isMeasured(word) && existsSync(word)) {
+  if (isMeasuredFile(word) && existsSync(word)) {
     const measurements = measuredAsset(readInput(word), word);
     return previewDocument(measurements.name, { measurements }, word);
   }

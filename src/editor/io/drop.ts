@@ -1,13 +1,15 @@
 /** Dropping files anywhere on the page; while they hover, the viewport says what it takes. */
+import { measuredExtensions } from '../../scene/measured.ts';
 import { h } from '../ui/dom.ts';
 import { droppedFiles } from './dropped-files.ts';
 
 export function installDrop(viewport: HTMLElement, onFiles: (files: File[]) => void): void {
+  const measured = measuredExtensions.map((extension) => `.${extension}`).join(' ');
   const target = h(
     'div',
     { class: 'drop-target', hidden: true },
     h('strong', {}, 'Drop to open'),
-    h('p', {}, 'Scene .json · model .glb .gltf · BRDF .brdf .binary .bparam · environment .hdr .exr'),
+    h('p', {}, `Scene .json · model .glb .gltf · BRDF .brdf .bparam ${measured} · environment .hdr .exr`),
   );
   viewport.append(target);
   const hasFiles = (event: DragEvent) => event.dataTransfer?.types.includes('Files') ?? false;

@@ -1,4 +1,5 @@
 /** Files that a person gives the page: what they are, and their bytes as a document's asset. */
+import { measuredExtensions } from '../../scene/measured.ts';
 import type { Asset, Document } from '../../scene/schema.ts';
 
 const MEDIA_TYPES: Readonly<Record<string, string>> = {
@@ -21,7 +22,8 @@ const accept = (extensions: readonly string[]) => extensions.map((extension) => 
 export const IMAGE_ACCEPT = accept(IMAGES);
 export const ENVIRONMENT_ACCEPT = accept(ENVIRONMENTS);
 export const ANY_ACCEPT = accept([
-  ...['json', 'glb', 'gltf', 'bin', 'brdf', 'binary', 'bparam'],
+  ...['json', 'glb', 'gltf', 'bin', 'brdf', 'bparam'],
+  ...measuredExtensions,
   ...ENVIRONMENTS,
   ...IMAGES,
 ]);
@@ -45,7 +47,7 @@ export function fileKind(name: string): FileKind {
   if (extension === 'json') return 'document';
   if (extension === 'glb' || extension === 'gltf') return 'gltf';
   if (extension === 'brdf') return 'brdf';
-  if (extension === 'binary') return 'measured';
+  if (measuredExtensions.includes(extension)) return 'measured';
   if (extension === 'bparam') return 'parameters';
   if (ENVIRONMENTS.includes(extension)) return 'environment';
   return IMAGES.includes(extension) ? 'image' : 'unknown';

@@ -5,6 +5,7 @@
 import type { AssetLoader } from '../../scene/assets.ts';
 import { keepAsset } from '../../scene/commands.ts';
 import { parseDocument } from '../../scene/document.ts';
+import { measuredKinds } from '../../scene/measured.ts';
 import type { Document } from '../../scene/schema.ts';
 import type { DocumentStore } from '../../scene/store.ts';
 import type { EditorStateStore } from '../state.ts';
@@ -35,7 +36,8 @@ export async function openFiles(context: OpenContext, files: readonly File[]): P
 }
 
 const FORMATS =
-  'It opens scenes (.json), models (.glb, .gltf), BRDFs (.brdf, .binary, .bparam), environments (.hdr, .exr) and images.';
+  'It opens scenes (.json), models (.glb, .gltf), BRDFs (.brdf, .bparam), ' +
+  `measured BRDFs: ${measuredKinds}, environments (.hdr, .exr) and images.`;
 
 async function openFile(context: OpenContext, file: File, all: readonly File[]): Promise<void> {
   const progress = startProgress(`Reading ${file.name}`);

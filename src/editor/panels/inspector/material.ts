@@ -7,7 +7,7 @@ import { setMaterialModel } from '../../../scene/material-commands.ts';
 import { materialDefaults, materialShape } from '../../../scene/material-schema.ts';
 import { findModel, modelNames, modelOrigin } from '../../../scene/models.ts';
 import type { Document } from '../../../scene/schema.ts';
-import { attempt } from '../../commands.ts';
+import { attempt, editSource } from '../../commands.ts';
 import type { Session } from '../../session.ts';
 import { colorField } from '../../ui/color-field.ts';
 import { h } from '../../ui/dom.ts';
@@ -50,7 +50,12 @@ export function materialPanel(session: Session, id: string): InspectorPanel {
   });
   bound.push(...maps, ...surface);
 
-  const manual = h('p', { class: 'hint model-title' }, model?.file.title ?? '');
+  const manual = h(
+    'div',
+    { class: 'model-about' },
+    h('p', { class: 'hint model-title' }, model?.file.title ?? ''),
+    editSourceButton(session),
+  );
   const fold = (title: string, ...children: Node[]) =>
     section(title, state.value.folded.includes(title), (folded) => state.fold(title, folded), ...children);
   return {
@@ -67,6 +72,20 @@ export function materialPanel(session: Session, id: string): InspectorPanel {
   };
 }
 
+function editSourceButton({ store, state }: Session): HTMLElement {
+  const button = h(
+    'button',
+    {
+      type: 'button',
+      class: 'text-button',
+      tip: 'Edit the source of the model; one that ships is copied into the scene first (Ctrl+E)',
+    },
+    'Edit source',
+  );
+  button.addEventListener('click', () => editSource(store, state));
+  return button;
+}
+
 function modelChoice(session: Session, id: string): Bound {
   const { store } = session;
   const field = selectField('Model', [], (name) => {
@@ -76,7 +95,7 @@ function modelChoice(session: Session, id: string): Bound {
     element: row(
       {
         label: 'Model',
-        tip: 'The BRDF: a shipped one, or a .brdf or measured .binary file dropped on the page',
+        tip: 'The BRDF: a shipped one, or a .brdf or measured file dropped on the page',
       },
       field.element,
     ),

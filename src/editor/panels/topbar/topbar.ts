@@ -101,7 +101,7 @@ function fileEntries(actions: TopbarActions): MenuEntry[] {
       label: 'Open…',
       icon: 'folder',
       shortcut: 'Ctrl+O',
-      tip: 'A scene, glTF, .brdf, measured .binary, HDR, EXR or image',
+      tip: 'A scene, glTF, .brdf, measured BRDF, HDR, EXR or image',
       run: actions.open,
     },
     { label: 'Save', icon: 'save', shortcut: 'Ctrl+S', run: actions.save },
