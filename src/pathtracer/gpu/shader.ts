@@ -11,8 +11,8 @@ const PREFIX = 'kernel';
 /**
  * The kernel as one compute shader in WGSL.
  *
- * Group 0: 0 the scene's memory, 1 the film, 2 a uniform (left, top, first sample, number of samples) of the pixels
- * that a dispatch takes, one invocation each.
+ * Group 0: 0 the scene's memory, 1 the film, 2 a uniform (left, top, first sample, number of samples) of the
+ * tile that a dispatch takes, one invocation a pixel.
  */
 export function kernelShader(kernel: Kernel): string {
   const entry = kernel.entry('renderPixel');
@@ -41,3 +41,16 @@ fn main(@builtin(global_invocation_id) id: vec3<u32>) {
 }
 `;
 }
+
+export const ADD_WORKGROUP = 64;
+
+/** Adds one film to another. Group 0: 0 what is added, 1 what it is added to. */
+export const ADD_SHADER = `
+@group(0) @binding(0) var<storage, read> part: array<vec4<f32>>;
+@group(0) @binding(1) var<storage, read_write> total: array<vec4<f32>>;
+@compute @workgroup_size(${ADD_WORKGROUP})
+fn main(@builtin(global_invocation_id) id: vec3<u32>, @builtin(num_workgroups) groups: vec3<u32>) {
+  let i = id.y * groups.x * ${ADD_WORKGROUP}u + id.x;
+  if (i < arrayLength(&total)) { total[i] += part[i]; }
+}
+`;
