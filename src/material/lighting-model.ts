@@ -4,10 +4,10 @@ import type { Model } from '../glsl/model.ts';
 import { modelFunctionByLight, type ParameterNodes, type SplitCall } from '../glsl/tsl.ts';
 import { AlbedoNode } from './albedo-table.ts';
 import type { EnvironmentLightNode } from './environment-light.ts';
-import { repeat } from './loop.ts';
 import { nonNegative } from './non-negative.ts';
 import { createSampler, latticePoint, type Sampler } from './sampler.ts';
 import { type ShadingFrame, shadingFrame } from './shading-frame.ts';
+import { repeat, run } from './statements.ts';
 
 type Vec3 = Node<'vec3'>;
 type Float = Node<'float'>;
@@ -59,7 +59,7 @@ export class BrdfLightingModel extends LightingModel {
   override start(builder: NodeBuilder): void {
     this.frame = shadingFrame(builder, this.options.model);
     const { V, N, X, Y } = this.frame;
-    this.brdf.perView(V, N, X, Y).toVar();
+    run(this.brdf.perView(V, N, X, Y));
     // Lights add to these inside branches: they must be declared, and 0, before the first of them.
     const { reflectedLight } = builder.context as unknown as {
       reflectedLight: Record<'directSpecular' | 'indirectSpecular', { assign(value: Node): void }>;
@@ -106,6 +106,7 @@ export class BrdfLightingModel extends LightingModel {
     };
     const { V, N, X, Y } = this.frame as ShadingFrame;
     const { sampleL, pdf } = this.sampler;
+    this.sampler.start(V, N, X, Y);
     const points = RECTANGLE_POINTS;
     const directions = RECTANGLE_DIRECTIONS;
     const center = lightPosition.sub(positionView as Vec3).toVar() as Vec3;
@@ -192,6 +193,7 @@ export class BrdfLightingModel extends LightingModel {
     const samples = environmentSamples;
     const { V, N, X, Y } = this.frame as ShadingFrame;
     const { sampleL, pdf } = this.sampler;
+    this.sampler.start(V, N, X, Y);
     const sum = vec3(0).toVar();
     const weights = vec3(0).toVar();
     repeat(samples, (i) => {
