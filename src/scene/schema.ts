@@ -26,6 +26,9 @@ import {
   fogDefaults,
   fogFileSchema,
   fogSchema,
+  pathTracingDefaults,
+  pathTracingFileSchema,
+  pathTracingSchema,
   viewDefaults,
   viewFileSchema,
   viewSchema,
@@ -154,6 +157,7 @@ export const documentShape = {
   models: collection('models', modelName, modelSourceSchema),
   assets: collection('assets', id, assetSchema),
   view: viewSchema,
+  pathTracing: pathTracingSchema,
 };
 
 export const documentSchema = z.strictObject(documentShape);
@@ -174,6 +178,7 @@ export const singles: readonly Single[] = [
   'environment',
   'background',
   'view',
+  'pathTracing',
 ];
 
 export const entitySchemas = {
@@ -194,6 +199,7 @@ export const documentFileSchema = withDefaults(
     objects: collection('objects', id, objectFileSchema),
     materials: collection('materials', id, materialFileSchema),
     view: viewFileSchema,
+    pathTracing: pathTracingFileSchema,
   },
   {
     name: 'Untitled',
@@ -208,10 +214,19 @@ export const documentFileSchema = withDefaults(
     models: {},
     assets: {},
     view: viewDefaults,
+    pathTracing: pathTracingDefaults,
   },
 );
 
 export type { AddableGeometry, Geometry, GeometryOf, GeometryType } from './geometry-schema.ts';
 export type { Light, LightOf, LightType } from './light-schema.ts';
 export type { Material, MaterialMap, ScaledTextureRef, TextureRef } from './material-schema.ts';
-export type { Background, Camera, Environment, EnvironmentSource, Fog, View } from './stage-schema.ts';
+export type {
+  Background,
+  Camera,
+  Environment,
+  EnvironmentSource,
+  Fog,
+  PathTracing,
+  View,
+} from './stage-schema.ts';

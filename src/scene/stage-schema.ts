@@ -1,4 +1,4 @@
-/** What a scene has once: camera, fog, environment, background, view. */
+/** What a scene has once: camera, fog, environment, background, view, path tracing. */
 import { z } from 'zod';
 import { boolean, choice, color, id, integer, number, reference, vector3, withDefaults } from './fields.ts';
 import { environmentPresets } from './presets.ts';
@@ -136,16 +136,38 @@ export const viewShape = {
     .describe('Show one term of a material’s model alone; null shows the whole model'),
 };
 
+export const pathTracingShape = {
+  samples: integer('Paths per pixel after which the picture is complete', {
+    range: [1, 1_048_576],
+    slider: [1, 4096],
+  }),
+  error: number(
+    'Relative error at which the picture is complete: standard deviation of a pixel over the mean of all; 0 renders all samples',
+    { range: [0, 1], slider: [0, 0.1], step: 0.001 },
+  ),
+  maxDepth: integer('The most surfaces and scatterings that a path of light meets', {
+    range: [1, 1024],
+    slider: [1, 32],
+  }),
+  clamp: number(
+    'The most radiance that a sample of indirect light brings, against bright specks; loses light; 0 does not bound it',
+    { range: [0, 1e6], unit: 'nt', slider: [0, 100], step: 0.1 },
+  ),
+  seed: integer('Chooses the random numbers', { range: [0, 2 ** 32 - 1], slider: [0, 100] }),
+};
+
 export const cameraSchema = z.strictObject(cameraShape);
 export const fogSchema = z.strictObject(fogShape);
 export const environmentSchema = z.strictObject(environmentShape);
 export const viewSchema = z.strictObject(viewShape);
+export const pathTracingSchema = z.strictObject(pathTracingShape);
 
 export type Camera = z.output<typeof cameraSchema>;
 export type Fog = z.output<typeof fogSchema>;
 export type Environment = z.output<typeof environmentSchema>;
 export type Background = z.output<typeof backgroundSchema>;
 export type View = z.output<typeof viewSchema>;
+export type PathTracing = z.output<typeof pathTracingSchema>;
 
 export const cameraDefaults: Readonly<Camera> = {
   fov: 75,
@@ -176,7 +198,16 @@ export const viewDefaults: Readonly<View> = {
   term: null,
 };
 
+export const pathTracingDefaults: Readonly<PathTracing> = {
+  samples: 1024,
+  error: 0.01,
+  maxDepth: 16,
+  clamp: 0,
+  seed: 0,
+};
+
 export const cameraFileSchema = withDefaults(cameraShape, cameraDefaults);
 export const fogFileSchema = withDefaults(fogShape, fogDefaults);
 export const environmentFileSchema = withDefaults(environmentShape, environmentDefaults);
 export const viewFileSchema = withDefaults(viewShape, viewDefaults);
+export const pathTracingFileSchema = withDefaults(pathTracingShape, pathTracingDefaults);

@@ -1,4 +1,4 @@
-/** The scene itself: view, camera, fog, environment, background. */
+/** The scene itself: view, camera, fog, environment, background, path tracing. */
 
 import { type EnvironmentPreset, environmentPresets } from '../../../scene/presets.ts';
 import type { Background, Document, EnvironmentSource } from '../../../scene/schema.ts';
@@ -12,6 +12,8 @@ import {
   environmentSourceShapes,
   fogDefaults,
   fogShape,
+  pathTracingDefaults,
+  pathTracingShape,
   viewDefaults,
   viewShape,
 } from '../../../scene/stage-schema.ts';
@@ -80,6 +82,7 @@ export function scenePanel(session: Session): InspectorPanel {
       ),
       fold('Camera', ...part('camera', pose, cameraDefaults)),
       fold('Fog', ...part('fog', fogShape, fogDefaults)),
+      fold('Path tracing', ...part('pathTracing', pathTracingShape, pathTracingDefaults)),
       fold('Near and far', ...part('camera', { near, far }, cameraDefaults)),
     ),
     update() {
