@@ -78,7 +78,7 @@ export function globalGet(index: number, type: WasmType): Code {
   return { type, bytes: [GLOBAL_GET, ...unsigned(index)], cost: 1, stable: false, constant: null };
 }
 
-const COMPARISON = /^[if]32\.(eqz?|ne|lt|gt|le|ge)/;
+const COMPARISON = /^[if]32\.(eqz?|ne|lt|gt|le|ge)(_[su])?$/;
 
 function resultOf(name: string): WasmType {
   if (COMPARISON.test(name) || name.endsWith('_true')) return 'i32';

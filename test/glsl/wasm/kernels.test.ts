@@ -16,7 +16,7 @@ function both(text: string) {
   const { exports } = instantiate([f]);
   return {
     types: f.arguments.map(({ variable }) => variable.type.name),
-    wasm: (args: readonly number[]) => [exports.f?.(...args)].flat().map(Number),
+    wasm: (args: readonly number[]) => [exports.f!(...args)].flat().map(Number),
     float64: (args: readonly number[]) =>
       [new Float64Program(kernel.program).callable(f)(...(args as readonly Value[] as Value[]))]
         .flat()
@@ -126,8 +126,8 @@ describe('memory', () => {
     words.set([1, 2, 3, 4], 4);
     new Float32Array(words.buffer).set([0.5, 1.5, 2.5, 3.5], 8);
     const { exports, film } = instantiate([kernel.entry('f')], words);
-    exports.f?.(1);
-    exports.f?.(1);
+    exports.f!(1);
+    exports.f!(1);
     expect([...film.subarray(0, 8)]).toEqual([0, 0, 0, 0, 7, 13, 15, 30]);
   });
 
