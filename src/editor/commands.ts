@@ -2,8 +2,10 @@
 import { duplicate, removeLight, removeObjects, rename, setField } from '../scene/commands.ts';
 import { removeMaterial } from '../scene/material-commands.ts';
 import type { DocumentStore } from '../scene/store.ts';
+import { copyShipped, isOwn, sourceOf } from './panels/source/edit-model.ts';
+import { selectedMaterial } from './selected-material.ts';
 import type { EditorStateStore, EntityKind } from './state.ts';
-import { toastError } from './ui/toast.ts';
+import { toast, toastError } from './ui/toast.ts';
 
 /** Runs an edit; one that the document refuses changes nothing and says why. */
 export function attempt<T>(what: string, run: () => T): T | undefined {
@@ -61,4 +63,23 @@ export function toggleBench(state: EditorStateStore): void {
 /** The bench over the whole page, and back to where it was. */
 export function toggleBenchPage(state: EditorStateStore): void {
   state.set({ benchOpen: true, benchPage: !state.value.benchPage });
+}
+
+/** Opens the source of the selected material's model; of a model that ships, a copy in the scene. */
+export function editSource(store: DocumentStore, state: EditorStateStore): void {
+  const id = selectedMaterial(store.document, state.value.selection);
+  const model = id === undefined ? undefined : store.document.materials[id]?.model;
+  if (id === undefined || model === undefined) return;
+  const name = isOwn(store.document, model)
+    ? model
+    : attempt('No source to edit', () => copyShipped(store, id));
+  if (name === undefined) return;
+  if (sourceOf(store.document, name) === null)
+    toast('info', `${name} is measured`, 'It has no source that could be edited.');
+  else state.set({ source: name });
+}
+
+export function toggleSource(store: DocumentStore, state: EditorStateStore): void {
+  if (state.value.source === null) editSource(store, state);
+  else state.set({ source: null });
 }

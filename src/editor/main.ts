@@ -13,6 +13,7 @@ import {
   toggleBench,
   toggleBenchPage,
   toggleHelpers,
+  toggleSource,
 } from './commands.ts';
 import { installErrorReports, showStartFailure } from './errors.ts';
 import { installDrop } from './io/drop.ts';
@@ -21,6 +22,7 @@ import { openFiles } from './io/open.ts';
 import { createBench } from './panels/bench/bench.ts';
 import { createInspector } from './panels/inspector/inspector.ts';
 import { createOutliner } from './panels/outliner/outliner.ts';
+import { createSourcePanel } from './panels/source/source.ts';
 import { FrameTimes } from './panels/status/frame-times.ts';
 import { createStatus } from './panels/status/status.ts';
 import { createTopbar } from './panels/topbar/topbar.ts';
@@ -89,6 +91,7 @@ document
     createTopbar(session, { newScene, open, save, openShipped, screenshot, shippedScenes }),
     h('div', { class: 'panel-left' }, outliner.element),
     view,
+    createSourcePanel(session),
     h('div', { class: 'panel-right' }, createInspector(session)),
     createBench(session, { geometryOf: (id) => mirror.objectFor(id)?.geometry }),
     status.element,
@@ -107,6 +110,7 @@ installShortcuts([
   { key: 'h', run: () => toggleHelpers(store) },
   { key: 'b', run: () => toggleBench(state) },
   { key: 'b', shift: true, run: () => toggleBenchPage(state) },
+  { key: 'e', ctrl: true, run: () => toggleSource(store, state) },
   { key: 'f2', run: () => session.renameSelected() },
   { key: 'escape', run: () => state.select(null) },
 ]);

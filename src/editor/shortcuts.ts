@@ -11,7 +11,8 @@ export interface Shortcut {
 
 export function installShortcuts(shortcuts: readonly Shortcut[]): void {
   window.addEventListener('keydown', (event) => {
-    if (isTextEntry(event.target) || document.querySelector('dialog[open]')) return;
+    // Inside a shadow root, where the code editor is, the event's target is only the root's host.
+    if (isTextEntry(event.composedPath()[0] ?? null) || document.querySelector('dialog[open]')) return;
     const ctrl = event.ctrlKey || event.metaKey;
     // In a list a letter means the entry that begins with it.
     if (event.target instanceof HTMLSelectElement && !ctrl) return;

@@ -25,6 +25,8 @@ export interface EditorState {
   /** CSS pixels. */
   readonly benchHeight: number;
   readonly bench: BenchSettings;
+  /** The model of the scene whose source is being edited. */
+  readonly source: string | null;
 }
 
 const persistent = ['folded', 'units', 'statusOpen', 'benchOpen', 'benchHeight'] as const;
@@ -43,6 +45,7 @@ const initial: EditorState = {
   benchPage: false,
   benchHeight: 348,
   bench: initialSettings,
+  source: null,
 };
 
 export class EditorStateStore {

@@ -85,6 +85,11 @@ export interface ResolvedBuiltin {
   readonly result: Type;
 }
 
+/** The names of all of them, for who writes a model. */
+export function builtinNames(): string[] {
+  return [...PATTERNS.keys(), 'transpose', 'determinant'];
+}
+
 export function isBuiltin(name: string): boolean {
   return PATTERNS.has(name) || name === 'transpose' || name === 'determinant';
 }

@@ -4,8 +4,9 @@
  */
 import type { BufferGeometry } from 'three/webgpu';
 import type { Rgb } from '../../../analysis/plots/curve.ts';
-import { toggleBenchPage } from '../../commands.ts';
+import { attempt, toggleBenchPage } from '../../commands.ts';
 import { download, fileNameOf } from '../../io/files.ts';
+import { selectedMaterial } from '../../selected-material.ts';
 import type { Session } from '../../session.ts';
 import { h } from '../../ui/dom.ts';
 import { newGesture } from '../../ui/gesture.ts';
@@ -25,7 +26,9 @@ import { placeSceneLight, sameAngles, sceneLightAngles } from './scene-light.ts'
 import { Evaluators, numbersOf, subjectsOf, sweptParameter, termsOf } from './series.ts';
 import { type BenchSettings, CURRENT, freeColor, paneSettings } from './settings.ts';
 import { createTabs } from './tabs.ts';
+import { createVerdictPanel } from './verdict.ts';
 import { viewInfo } from './views.ts';
+import { putWorstCase, worstSettings } from './worst-case.ts';
 
 export interface BenchOptions {
   /** The geometry of an object in the scene; undefined while it is loading. */
@@ -39,11 +42,20 @@ export function createBench({ store, state }: Session, { geometryOf }: BenchOpti
   const subjects = () => subjectsOf(store.document, state.value.selection, state.value.bench.pins);
   const activeView = () => paneSettings(state.value.bench, state.value.bench.active).view;
 
+  const verdict = createVerdictPanel((worst) => {
+    const id = selectedMaterial(store.document, state.value.selection);
+    if (id !== undefined) attempt('The case cannot be shown', () => putWorstCase(store, id, worst));
+    const { bench, benchPage } = state.value;
+    // In the dock the verdict itself is in the way of what there is to see.
+    const panes = benchPage ? bench.panes : bench.panes.with(bench.active, 'lobe');
+    change({ ...worstSettings(worst), panes });
+  });
   const grid = createGrid({
     wantFrame: () => wantFrame(),
     change,
     activate: (active) => change({ active }),
     choose: (pane, view) => change({ active: pane, panes: state.value.bench.panes.with(pane, view) }),
+    panel: () => verdict.element,
   });
   const tabs = createTabs((view) => {
     const { panes, active } = state.value.bench;
@@ -172,7 +184,10 @@ export function createBench({ store, state }: Session, { geometryOf }: BenchOpti
     let done = 1;
     let reading: Plot | null = null;
     for (const pane of visible) {
-      if (viewInfo[paneSettings(bench, pane).view].view === null) continue;
+      if (viewInfo[paneSettings(bench, pane).view].view === null) {
+        verdict.show(all[0]?.id === CURRENT ? all[0] : undefined);
+        continue;
+      }
       const { probe } = grid.pane(pane);
       const now = present(pane, probe);
       grid.pane(pane).draw(now.plot);

@@ -14,6 +14,8 @@ export interface Grid {
 export interface GridActions extends PaneActions {
   activate(pane: number): void;
   choose(pane: number, view: BenchView): void;
+  /** What a view shows that is no drawing. */
+  panel(view: BenchView): HTMLElement;
 }
 
 const choices = views.map((view) => ({ value: view, label: viewInfo[view].label }));
@@ -25,15 +27,16 @@ export function createGrid(actions: GridActions): Grid {
       const view = views.find((candidate) => candidate === value);
       if (view) actions.choose(index, view);
     });
+    const body = h('div', { class: 'bench-pane-body' }, pane.element);
     const element = h(
       'div',
       { class: 'bench-pane' },
       h('div', { class: 'bench-pane-head' }, choice.element),
-      h('div', { class: 'bench-pane-body' }, pane.element),
+      body,
     );
     element.addEventListener('pointerdown', () => actions.activate(index));
     element.addEventListener('focusin', () => actions.activate(index));
-    return { pane, choice, element };
+    return { pane, choice, body, element };
   });
   const element = h('div', { class: 'bench-view' });
   let shown = '';
@@ -48,7 +51,10 @@ export function createGrid(actions: GridActions): Grid {
       }
       for (const index of visible) {
         const cell = cells[index];
-        cell?.choice.show(paneSettings(settings, index).view);
+        const { view } = paneSettings(settings, index);
+        const content = viewInfo[view].view ? cell?.pane.element : actions.panel(view);
+        if (content && content.parentElement !== cell?.body) cell?.body.replaceChildren(content);
+        cell?.choice.show(view);
         cell?.element.classList.toggle('active', index === settings.active);
       }
     },

@@ -74,7 +74,8 @@ export function numbersOf(subject: Subject | undefined): readonly FloatParameter
   }
 }
 
-function modelOf({ model, source }: Pick<Subject, 'model' | 'source'>) {
+/** @throws if it is broken */
+export function modelOf({ model, source }: Pick<Subject, 'model' | 'source'>) {
   return findModel(source ?? { models: {}, assets: {} }, model);
 }
 

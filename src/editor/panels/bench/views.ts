@@ -114,5 +114,10 @@ export const viewInfo: Readonly<Record<BenchView, ViewInfo>> = {
     view: objectView,
     controls: lit,
   },
-  verdict: { label: 'Verdict', tip: 'The model held to physics', view: null, controls: [] },
+  verdict: {
+    label: 'Verdict',
+    tip: 'The model held to physics, over all its parameters and directions',
+    view: null,
+    controls: [],
+  },
 };

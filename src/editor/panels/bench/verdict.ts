@@ -1,0 +1,137 @@
+/** The verdict on the selected material's model, computed while its tab is in sight; it follows the source. */
+import type { Check, Outcome, Property, Verdict, WorstCase } from '../../../analysis/verdict/types.ts';
+import { h } from '../../ui/dom.ts';
+import type { Subject } from './series.ts';
+import type { VerdictAnswer, VerdictJob } from './verdict-job.ts';
+
+export interface VerdictPanel {
+  readonly element: HTMLElement;
+  /** Called whenever the tab is in sight. */
+  show(subject: Subject | undefined): void;
+}
+
+const OUTCOMES: Readonly<Record<Outcome, string>> = {
+  pass: 'Pass',
+  fail: 'Fail',
+  'given up': 'Given up',
+  'not applicable': '–',
+};
+
+/** Where the law's own name says too little. */
+const NAMES: Partial<Record<Property, string>> = {
+  finiteness: 'Finite',
+  positivity: 'Positive',
+  reciprocity: 'Reciprocal',
+  energy: 'Conserves energy',
+  furnace: 'White furnace',
+  lobes: 'Lobes add up',
+  continuity: 'Continuous',
+  gpu: 'GPU = float64',
+};
+
+const nameOf = (property: Property): string =>
+  NAMES[property] ?? property.charAt(0).toUpperCase() + property.slice(1);
+
+/** Typing changes the model every few tenths of a second: it is checked when there is a pause. */
+const PAUSE = 700;
+
+export function createVerdictPanel(showCase: (worst: WorstCase) => void): VerdictPanel {
+  const button = h('button', { type: 'button', class: 'text-button' }, 'Check');
+  const state = h('span', { class: 'verdict-state', role: 'status' });
+  const progress = h('progress', { class: 'bench-progress', max: 1, 'aria-label': 'Checking', hidden: true });
+  const list = h('ul', { class: 'verdict-list' });
+  const element = h(
+    'div',
+    { class: 'verdict' },
+    h('div', { class: 'verdict-head' }, button, state, progress),
+    list,
+  );
+  let asked: VerdictJob | null = null;
+  let worker: Worker | null = null;
+  let timer = 0;
+
+  const stop = (text: string) => {
+    worker?.terminate();
+    worker = null;
+    clearTimeout(timer);
+    progress.hidden = true;
+    button.textContent = 'Check';
+    state.textContent = text;
+  };
+  const begin = (job: VerdictJob) => {
+    stop(`Checking ${job.model}`);
+    button.textContent = 'Cancel';
+    progress.hidden = false;
+    progress.value = 0;
+    worker = new Worker(new URL('./verdict-worker.ts', import.meta.url), { type: 'module' });
+    worker.addEventListener('message', ({ data }: MessageEvent<VerdictAnswer>) => {
+      if (data.kind === 'progress') {
+        progress.value = data.done;
+        state.textContent = `${job.model}: ${nameOf(data.property)}`;
+      } else if (data.kind === 'error') {
+        stop(data.message);
+      } else {
+        stop(summary(data.verdict));
+        list.replaceChildren(...data.verdict.checks.map((check) => row(check, showCase)));
+        list.classList.remove('old');
+      }
+    });
+    worker.postMessage(job);
+  };
+  button.addEventListener('click', () => {
+    if (worker) stop('Cancelled');
+    else if (asked) begin(asked);
+  });
+
+  return {
+    element,
+    show(subject) {
+      button.disabled = !subject;
+      if (!subject || (asked?.model === subject.model && asked.source === subject.source)) return;
+      const first = asked === null;
+      const { model, source } = subject;
+      const job = { model, source };
+      asked = job;
+      list.classList.add('old');
+      stop(`Checking ${model}`);
+      timer = window.setTimeout(() => begin(job), first ? 0 : PAUSE);
+    },
+  };
+}
+
+function summary({ model, checks, sound }: Verdict): string {
+  const failed = checks.filter(({ outcome }) => outcome === 'fail').length;
+  if (!sound) return `${model} breaks ${failed === 1 ? 'a law' : `${failed} laws`} that it does not give up`;
+  const givenUp = checks.filter(({ outcome }) => outcome === 'given up').length;
+  return givenUp > 0 ? `${model} is sound, but for what it gives up on purpose` : `${model} is sound`;
+}
+
+function row(check: Check, showCase: (worst: WorstCase) => void): HTMLElement {
+  const { property, outcome, figureText, sentence, worst } = check;
+  const show =
+    worst && outcome !== 'pass'
+      ? h(
+          'button',
+          {
+            type: 'button',
+            class: 'text-button',
+            'aria-label': `Show the worst case of ${nameOf(property)}`,
+            tip: 'Put its parameters on the material and its directions into the plots',
+          },
+          'Show',
+        )
+      : null;
+  if (worst) show?.addEventListener('click', () => showCase(worst));
+  const item = h(
+    'li',
+    {},
+    h('span', { class: 'verdict-outcome' }, OUTCOMES[outcome]),
+    h('span', { class: 'verdict-name' }, nameOf(property)),
+    h('span', { class: 'verdict-figure' }, figureText),
+    h('span', { class: 'verdict-sentence' }, sentence),
+    show ?? h('span', {}),
+  );
+  item.dataset.property = property;
+  item.dataset.outcome = outcome;
+  return item;
+}
