@@ -129,6 +129,13 @@ vec3 masking(vec3 L, vec3 V, vec3 N, vec3 X, vec3 Y) {
     return vec3(4.0 * l.z * v.z / (G_SmithGTR2(l, alpha) * G_SmithGTR2(v, alpha)));
 }
 
+// G1(v, h) in 0..1, L being h: the share of the facets along h that is seen. Smith's is the same for all of them.
+vec3 viewMasking(vec3 L, vec3 V, vec3 N, vec3 X, vec3 Y) {
+    vec3 v = toFrame(V, N, X, Y);
+    if (belowHorizon(toFrame(L, N, X, Y), v)) return vec3(0.0);
+    return vec3(2.0 * v.z / G_SmithGTR2(v, principledAlpha(roughness, anisotropic)));
+}
+
 // The clearcoat's D(h) in 1/sr.
 vec3 clearcoatDistribution(vec3 L, vec3 V, vec3 N, vec3 X, vec3 Y) {
     vec3 l = toFrame(L, N, X, Y);

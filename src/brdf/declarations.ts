@@ -1,6 +1,13 @@
 import { BrdfError } from './error.ts';
 import { clip } from './limits.ts';
-import type { Declarations, Parameter, ParameterValue, SourceLine, WaivedProperty } from './model.ts';
+import type {
+  Declarations,
+  FacetMasking,
+  Parameter,
+  ParameterValue,
+  SourceLine,
+  WaivedProperty,
+} from './model.ts';
 
 /**
  * What a model says about itself in its header comment, for `irradia brdf check` (docs/verdict.md):
@@ -8,6 +15,7 @@ import type { Declarations, Parameter, ParameterValue, SourceLine, WaivedPropert
  *     # gives up: energy, reciprocity of sheenLobe
  *     # lobes: diffuseLobe, specularLobe
  *     # distributions: distribution
+ *     # masking: viewMasking of distribution
  *     # lossless: albedo = 1 1 1; metallic = 1
  *
  * Each is one line of its own and stands at most once. Other programs read a comment.
@@ -15,7 +23,7 @@ import type { Declarations, Parameter, ParameterValue, SourceLine, WaivedPropert
 
 export const WAIVABLE = ['positivity', 'reciprocity', 'energy', 'continuity'] as const;
 
-const KEYS = ['gives up', 'lobes', 'distributions', 'lossless'] as const;
+const KEYS = ['gives up', 'lobes', 'distributions', 'masking', 'lossless'] as const;
 type Key = (typeof KEYS)[number];
 
 /** @throws BrdfError naming the line that is not as above */
@@ -25,7 +33,7 @@ export function parseDeclarations(
 ): Declarations {
   const found = new Map<Key, { place: SourceLine; items: string[] }>();
   for (const place of header) {
-    const match = /^\s*(gives up|lobes|distributions|lossless):\s*(.*?)\.?\s*$/.exec(place.text);
+    const match = /^\s*(gives up|lobes|distributions|masking|lossless):\s*(.*?)\.?\s*$/.exec(place.text);
     if (!match) continue;
     const key = match[1] as Key;
     if (found.has(key)) throw new BrdfError(place, `a second line '${key}:'`, 'one list of all of them');
@@ -44,6 +52,7 @@ export function parseDeclarations(
     givesUp: list('gives up', readWaiver),
     lobes: list('lobes', readName),
     distributions: list('distributions', readName),
+    maskings: list('masking', readMasking),
     lossless: found.has('lossless')
       ? Object.fromEntries(list('lossless', (item, place) => readValue(item, place, parameters)))
       : null,
@@ -66,6 +75,12 @@ function readWaiver(item: string, place: SourceLine): WaivedProperty {
 function readName(item: string, place: SourceLine): string {
   if (/^[A-Za-z_]\w*$/.test(item)) return item;
   throw new BrdfError(place, `'${clip(item)}' is no name of a term`, 'names with commas between them');
+}
+
+function readMasking(item: string, place: SourceLine): FacetMasking {
+  const match = /^([A-Za-z_]\w*)\s+of\s+([A-Za-z_]\w*)$/.exec(item);
+  if (match) return { masking: match[1] as string, distribution: match[2] as string };
+  throw new BrdfError(place, `'${clip(item)}' is no masking`, "a term 'of' the distribution that it masks");
 }
 
 function readValue(

@@ -56,6 +56,13 @@ export interface WaivedProperty {
   readonly term: string | null;
 }
 
+/** A term that is the masking G1 of facets: with h for L, the share of the facets along h that V sees. */
+export interface FacetMasking {
+  readonly masking: string;
+  /** The term that is those facets' distribution. */
+  readonly distribution: string;
+}
+
 /** What a model's header says about it, for the checks of src/analysis/verdict. */
 export interface Declarations {
   readonly givesUp: readonly WaivedProperty[];
@@ -63,8 +70,31 @@ export interface Declarations {
   readonly lobes: readonly string[];
   /** The terms that are distributions D(h) of facet normals. */
   readonly distributions: readonly string[];
+  readonly maskings: readonly FacetMasking[];
   /** Values with which the surface gives back all light; null if the file names none. */
   readonly lossless: ParameterValues | null;
+}
+
+/** How light passes through a surface, for models whose L may be on the other side of the surface than V. */
+export interface Transmission {
+  /** The parameter that is the index of refraction of the side without V over that of the side with V. */
+  readonly ior: string;
+  /** The switch that makes the surface a sheet, with V's side on both of its sides; null if there is none. */
+  readonly thin: string | null;
+  /** The parameters of what the surface encloses; null if it is clear. */
+  readonly medium: TransmissionMedium | null;
+}
+
+/** A homogeneous medium (OpenPBR 1.1, section "Transmission"): extinction = -ln(color)/depth, scattering = scatter/depth. */
+export interface TransmissionMedium {
+  /** What is left of white light after `depth`. */
+  readonly color: string;
+  /** In metres; at 0 there is no medium. */
+  readonly depth: string;
+  /** The colour of scattered light; null if it only absorbs. */
+  readonly scatter: string | null;
+  /** g of Henyey and Greenstein's phase function, -1..1; null is 0. */
+  readonly anisotropy: string | null;
 }
 
 /** A parsed `.brdf` file. */
@@ -78,6 +108,8 @@ export interface BrdfFile {
   /** The comment that heads the file: its manual page. */
   readonly documentation: string;
   readonly declarations: Declarations;
+  /** null for an opaque surface: BRDF() is 0 where L is below it. */
+  readonly transmission: Transmission | null;
   readonly parameters: readonly Parameter[];
   readonly shader: SourceText;
   /** sampleL() and pdf(), if the file brings its own. */

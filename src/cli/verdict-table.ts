@@ -10,6 +10,7 @@ const TITLES: Readonly<Record<Property, string>> = {
   energy: 'energy',
   furnace: 'white furnace',
   distribution: 'facet distribution',
+  'weak furnace': 'weak white furnace',
   lobes: 'lobes add up',
   continuity: 'continuity',
   density: 'sampling density',

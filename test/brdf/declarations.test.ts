@@ -14,6 +14,7 @@ describe('declarations of a header', () => {
       givesUp: [],
       lobes: [],
       distributions: [],
+      maskings: [],
       lossless: null,
     });
   });
@@ -23,6 +24,7 @@ describe('declarations of a header', () => {
       '#   gives up: energy, reciprocity of sheenLobe',
       '# lobes: diffuseLobe, sheenLobe.',
       '# distributions: D',
+      '# masking: G of D',
       '# lossless: albedo = 1 .5 1; on = 0; x = 1',
     ];
     expect(parse(header.join('\n'))).toEqual({
@@ -32,6 +34,7 @@ describe('declarations of a header', () => {
       ],
       lobes: ['diffuseLobe', 'sheenLobe'],
       distributions: ['D'],
+      maskings: [{ masking: 'G', distribution: 'D' }],
       lossless: { albedo: [1, 0.5, 1], on: false, x: 1 },
     });
   });
@@ -40,6 +43,7 @@ describe('declarations of a header', () => {
     ['# gives up: finiteness', /^test\.brdf:3: a model cannot give up 'finiteness'; expected positivity/],
     ['# gives up:', /test\.brdf:3: 'gives up:' names nothing/],
     ['# lobes: a b', /test\.brdf:3: 'a b' is no name of a term/],
+    ['# masking: G', /test\.brdf:3: 'G' is no masking; expected a term 'of' the distribution/],
     ['# lobes: a\n# lobes: b', /test\.brdf:4: a second line 'lobes:'/],
     ['# lossless: gain = 1', /test\.brdf:3: there is no parameter 'gain'/],
     ['# lossless: albedo = 1', /test\.brdf:3: albedo = '1'; expected three numbers/],

@@ -39,6 +39,8 @@ describe.each([...shippedModels])('%s', (_name, model) => {
       evaluator.set(p);
       const [l, v] = [randomDirection(random), randomDirection(random)];
       for (const term of model.terms) {
+        // The masking of one direction does not say what the other is.
+        if (model.file.declarations.maskings.some(({ masking }) => masking === term)) continue;
         const forth = evaluator.f(l, v, undefined, term);
         const back = evaluator.f(v, l, undefined, term);
         for (const [c, value] of forth.entries()) {

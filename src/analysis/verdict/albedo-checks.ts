@@ -4,9 +4,9 @@ import { integrateHemisphere } from '../quadrature.ts';
 import { direction, type Vec3 } from '../vector.ts';
 import { type Context, percent, placeOf, short } from './context.ts';
 import { cornerParameters, endsOf, moved, nearParameters, randomParameters } from './space.ts';
-import type { Check, WorstCase } from './types.ts';
+import type { Check } from './types.ts';
 
-/** Laws about integrals over all directions: energy, the white furnace, and D's normalisation. */
+/** Laws about the light that goes anywhere: energy and the white furnace. */
 
 /** The lowest cosine at which albedos are integrated: 0.6 degrees above the horizon. */
 const LOWEST = 0.01;
@@ -170,56 +170,5 @@ export async function checkFurnace(context: Context): Promise<Check> {
           'where the header promises all of it.'
       : 'In a furnace that glows white all over, the surface cannot be seen: it gives back exactly what it receives.',
     { term: 'BRDF', parameters, ...place },
-  );
-}
-
-const PROBES: readonly Vec3[] = [direction(1, 0), direction(0.9, 0.3), direction(0.4, 1)];
-
-export async function checkDistribution(context: Context): Promise<Check> {
-  const { distributions } = context.model.file.declarations;
-  if (distributions.length === 0) {
-    return context.notApplicable(
-      "The header has no line 'distributions:', so no term is known to count facets.",
-    );
-  }
-  const { parameters } = context.model;
-  const sets = [
-    ...cornerParameters(parameters),
-    ...Array.from({ length: context.trials(10) }, () => randomParameters(context.random, parameters)),
-  ];
-  let worst: { worst: WorstCase; value: number; error: number } | null = null;
-  // Most parameters are none of the distribution's: what looks the same at a few places is done once.
-  const seen = new Set<string>();
-  for (const [i, set] of sets.entries()) {
-    await context.pulse(i / sets.length);
-    context.use(set);
-    for (const term of distributions) {
-      const looks = PROBES.map((h) => context.evaluator.f(h, h, undefined, term)[0]);
-      const key = `${term} ${looks.join()}`;
-      if (seen.has(key)) continue;
-      seen.add(key);
-      // With light and viewer both along h, the half vector is h.
-      const density = (h: Vec3) => finite(context.evaluator.f(h, h, undefined, term)[0]) * h[2];
-      const integral = integrateHemisphere((h) => [density(h)], {
-        focus: [[0, 0, 1]],
-        tolerance: TOLERANCE,
-        maxEvaluations: 20_000,
-      });
-      const value = integral.value[0] as number;
-      if (!worst || Math.abs(value - 1) > Math.abs(worst.value - 1))
-        worst = { worst: { term, parameters: set, l: null, v: null }, value, error: integral.error };
-    }
-  }
-  const found = worst as unknown as { worst: WorstCase; value: number; error: number };
-  const broken = Math.abs(found.value - 1) > 2 * TOLERANCE + Math.min(found.error, 0.01);
-  return context.check(
-    broken ? 'fail' : 'pass',
-    found.value,
-    `integral ${short(found.value)}`,
-    broken
-      ? `The facets of ${found.worst.term}, seen from above, cover ${percent(found.value)} of the surface, not 100 %: ` +
-          'some are counted too often, or are missing.'
-      : 'The tiny facets, seen from above, cover the surface exactly once: the distribution is normalised.',
-    found.worst,
   );
 }

@@ -9,6 +9,7 @@ export const PROPERTIES = [
   'energy',
   'furnace',
   'distribution',
+  'weak furnace',
   'lobes',
   'continuity',
   'density',

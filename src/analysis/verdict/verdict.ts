@@ -4,9 +4,10 @@
  */
 import { BrdfError } from '../../brdf/error.ts';
 import type { Model } from '../../glsl/model.ts';
-import { checkDistribution, checkEnergy, checkFurnace } from './albedo-checks.ts';
+import { checkEnergy, checkFurnace } from './albedo-checks.ts';
 import { Context } from './context.ts';
 import { checkContinuity } from './continuity.ts';
+import { checkDistribution, checkWeakFurnace } from './facet-checks.ts';
 import { checkGpu } from './gpu-agreement.ts';
 import { checkFiniteness, checkLobes, checkPositivity, checkReciprocity } from './pointwise.ts';
 import { checkDensity, checkSampler } from './sampling.ts';
@@ -25,7 +26,8 @@ const CHECKS: readonly {
   { property: 'reciprocity', share: 0.1, run: checkReciprocity },
   { property: 'energy', share: 0.3, run: checkEnergy },
   { property: 'furnace', share: 0.02, run: checkFurnace },
-  { property: 'distribution', share: 0.1, run: checkDistribution },
+  { property: 'distribution', share: 0.08, run: checkDistribution },
+  { property: 'weak furnace', share: 0.02, run: checkWeakFurnace },
   { property: 'lobes', share: 0.03, run: checkLobes },
   { property: 'continuity', share: 0.1, run: checkContinuity },
   { property: 'density', share: 0.05, run: checkDensity },
@@ -54,8 +56,9 @@ export async function checkModel(model: Model, options: VerdictOptions = {}): Pr
 }
 
 function checkDeclaredTerms({ file, terms }: Model): void {
-  const { givesUp, lobes, distributions } = file.declarations;
-  const named = [...givesUp.flatMap(({ term }) => term ?? []), ...lobes, ...distributions];
+  const { givesUp, lobes, distributions, maskings } = file.declarations;
+  const masked = maskings.flatMap(({ masking, distribution }) => [masking, distribution]);
+  const named = [...givesUp.flatMap(({ term }) => term ?? []), ...lobes, ...distributions, ...masked];
   const unknown = named.find((name) => !terms.includes(name));
   if (unknown === undefined) return;
   const place = { file: file.fileName, line: 1 };

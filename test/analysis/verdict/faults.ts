@@ -83,6 +83,23 @@ export const facets = (factor: string, header = ''): Model =>
     body: `${DISTRIBUTION} return albedo * (e + 2.0) / ${factor} * pow(NdotH, e) * 0.25;`,
   });
 
+/** GGX with Smith's masking, whose roughness is `factor` of the distribution's. */
+export const maskedFacets = (factor: string): Model =>
+  model({
+    header: 'distributions: D\nmasking: G1 of D',
+    parameters: 'float alpha .1 1 .5',
+    terms:
+      term(
+        'D',
+        'float t = NdotH * NdotH * (alpha * alpha - 1.0) + 1.0; return vec3(alpha * alpha / (PI * t * t));',
+      ) +
+      term(
+        'G1',
+        `float a = ${factor} * alpha; return vec3(2.0 * NdotV / (NdotV + sqrt(a * a + (1.0 - a * a) * NdotV * NdotV)));`,
+      ),
+    body: 'return vec3(0.1);',
+  });
+
 export const FAULTS = {
   'a factor 2': model({ parameters: COLOUR, body: 'return 2.0 * albedo / PI;' }),
   'a missing 1/pi': model({ parameters: COLOUR, body: 'return albedo;' }),
@@ -137,6 +154,7 @@ export const FAULTS = {
     sampling: sampling('(NdotL - 0.1) / PI'),
   }),
   'a distribution that is not normalised': facets('(3.0 * PI)'),
+  'a masking of another roughness': maskedFacets('0.7'),
   'a lobe that is counted twice': model({
     header: 'lobes: a, b',
     parameters: COLOUR,

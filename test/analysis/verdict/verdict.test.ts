@@ -3,7 +3,7 @@ import { shippedModels } from '../../../models/index.ts';
 import type { Check, Property, Verdict } from '../../../src/analysis/verdict/verdict.ts';
 import { checkModel } from '../../../src/analysis/verdict/verdict.ts';
 import type { Model } from '../../../src/glsl/model.ts';
-import { FAULTS, facets, model, sound, term } from './faults.ts';
+import { FAULTS, facets, maskedFacets, model, sound, term } from './faults.ts';
 
 const outcomes = async (subject: Model, effort = 0.3) => {
   const { checks } = await checkModel(subject, { effort });
@@ -32,6 +32,7 @@ const EXPECTED: Record<keyof typeof FAULTS, readonly Property[]> = {
   'samples of any length': ['sampler'],
   'a negative density': ['density', 'sampler'],
   'a distribution that is not normalised': ['distribution'],
+  'a masking of another roughness': ['weak furnace'],
   'a lobe that is counted twice': ['lobes'],
 };
 
@@ -69,13 +70,20 @@ describe('what is sound passes', () => {
     for (const property of ['furnace', 'lobes', 'density', 'sampler', 'energy'] as const)
       expect(checks[property].outcome, property).toBe('pass');
     expect(checks.energy.figure).toBeCloseTo(1, 4);
-    for (const property of ['distribution', 'gpu'] as const)
+    for (const property of ['distribution', 'weak furnace', 'gpu'] as const)
       expect(checks[property].outcome, property).toBe('not applicable');
   });
 
   it('a distribution that is normalised', async () => {
     const { distribution } = await outcomes(facets('(2.0 * PI)'));
     expect(distribution).toMatchObject({ outcome: 'pass', figure: expect.closeTo(1, 3) });
+  });
+
+  it('facets with the masking that is theirs', async () => {
+    const { 'weak furnace': furnace, reciprocity } = await outcomes(maskedFacets('1.0'));
+    expect(furnace).toMatchObject({ outcome: 'pass', figure: expect.closeTo(1, 2) });
+    // G1 is of one direction, which is no fault.
+    expect(reciprocity.outcome).toBe('pass');
   });
 });
 
