@@ -15,7 +15,7 @@ const FAULTS: Readonly<Record<string, string>> = {
 };
 
 /** Runs a file operation; what the system refuses becomes an error that names the argument. */
-function told<T>(argument: string, operation: () => T): T {
+export function told<T>(argument: string, operation: () => T): T {
   try {
     return operation();
   } catch (error) {

@@ -2,12 +2,21 @@ import { zlibSync } from 'fflate';
 
 /** PNG files of 8-bit RGBA pixels in sRGB. Format: https://www.w3.org/TR/png-3/ */
 
-const SIGNATURE = [0x89, 0x50, 0x4e, 0x47, 0x0d, 0x0a, 0x1a, 0x0a];
+export const SIGNATURE = [0x89, 0x50, 0x4e, 0x47, 0x0d, 0x0a, 0x1a, 0x0a];
 const RGBA = 6;
 const PERCEPTUAL = 0;
 
-/** Rows from the top; alpha is not multiplied in. */
-export function encodePng(pixels: Uint8Array | Uint8ClampedArray, width: number, height: number): Uint8Array {
+/**
+ * Rows from the top; alpha is not multiplied in.
+ *
+ * @param texts are kept in the header, by keywords of 1 to 79 Latin letters
+ */
+export function encodePng(
+  pixels: Uint8Array | Uint8ClampedArray,
+  width: number,
+  height: number,
+  texts: Readonly<Record<string, string | number>> = {},
+): Uint8Array {
   if (pixels.length !== width * height * 4) {
     throw new RangeError(`${pixels.length} bytes are not ${width} x ${height} RGBA pixels`);
   }
@@ -20,10 +29,15 @@ export function encodePng(pixels: Uint8Array | Uint8ClampedArray, width: number,
     Uint8Array.from(SIGNATURE),
     chunk('IHDR', header),
     chunk('sRGB', Uint8Array.of(PERCEPTUAL)),
+    ...Object.entries(texts).map(([keyword, text]) => chunk('iTXt', internationalText(keyword, `${text}`))),
     chunk('IDAT', zlibSync(filterRows(pixels, width * 4, height))),
     chunk('IEND', new Uint8Array(0)),
   ]);
 }
+
+/** Not compressed, of no language. */
+const internationalText = (keyword: string, text: string): Uint8Array =>
+  new TextEncoder().encode(`${keyword}\0\0\0\0\0${text}`);
 
 /** Puts before each row the number of the filter whose output has the least sum of magnitudes. */
 function filterRows(pixels: ArrayLike<number>, rowBytes: number, height: number): Uint8Array {
@@ -93,7 +107,7 @@ const CRC_TABLE = Uint32Array.from({ length: 256 }, (_, n) => {
   return c;
 });
 
-function crc32(data: Uint8Array): number {
+export function crc32(data: Uint8Array): number {
   let c = 0xffffffff;
   for (const byte of data) c = CRC_TABLE[(c ^ byte) & 0xff]! ^ (c >>> 8);
   return ~c >>> 0;

@@ -1,73 +1,68 @@
 import { existsSync } from 'node:fs';
-import { extname } from 'node:path';
 import { modelSources, shippedModels } from '../../../models/index.ts';
 import { sceneNames } from '../../../scenes/index.ts';
 import { isMeasuredFile, measuredAsset } from '../../scene/measured.ts';
 import type { Document } from '../../scene/schema.ts';
-import { CliError, type Command, UsageError } from '../command.ts';
-import { checkOutput, readInput, writeOutput } from '../files.ts';
-import type { DeviceChoice } from '../gpu.ts';
+import { CliError, type Command } from '../command.ts';
+import { readInput } from '../files.ts';
 import { modelArgument, modelFiles } from '../model-argument.ts';
 import { packageVersion } from '../package-root.ts';
 import { previewDocument } from '../preview.ts';
+import { AOVS, DEFAULTS, parseRenderOptions, renderOptions } from '../render/options.ts';
+import { checkWritable, saveWhole } from '../render/save.ts';
 import { sceneArgument } from '../scene-argument.ts';
 
-const DEFAULT_SIZE = '1280x720';
-const DEVICES: readonly DeviceChoice[] = ['auto', 'gpu', 'software'];
-
 const command: Command = {
-  usage: 'render SCENE|MODEL|FILE -o FILE.png|.exr [--size WxH] [--device auto|gpu|software]',
-  summary: 'A picture of a scene, or of a sphere of a model, by the interactive renderer.',
+  usage: 'render SCENE|MODEL|FILE -o FILE.exr|.png [options]',
+  summary: 'A picture of a scene, or of a sphere of a model: path traced, or by the interactive renderer.',
   details: [
     '  SCENE      a scene that ships',
     '  MODEL      a model that ships; `irradia brdf list` names them',
     `  FILE       a document, ${modelFiles}`,
-    '  -o         a .png is what the lab shows; an .exr has the linear radiance, before exposure and tone mapping',
-    `  --size     width and height in pixels; otherwise ${DEFAULT_SIZE}`,
-    '  --device   auto: a GPU if there is one, else the software GPU (the default)',
+    '  -o         a .png is what the lab shows; an .exr has the linear radiance, before exposure and tone mapping,',
+    '             and in its header what was rendered: `irradia merge` adds such files up',
+    `  --size     WxH: width and height in pixels; otherwise ${DEFAULTS.size}`,
+    '  --renderer pathtracer (the default) or realtime, which draws as the lab does while the camera moves',
+    '  --device   auto: a GPU if there is one, else the CPU (the default); gpu; software: the CPU. The realtime',
+    '             renderer has a software GPU for the CPU',
+    '',
+    'The path tracer ends by one of these; Ctrl+C ends it before, and what there is is written.',
+    `  --spp N        samples of each pixel; otherwise ${DEFAULTS.spp}`,
+    '  --time S       seconds of rendering',
+    "  --error E      until the standard deviation of the pixels' means is E times the picture's mean, such as 0.02;",
+    '                 an upper bound, since samples are spread more evenly than the estimate supposes',
+    '  --samples A:B  samples A to B - 1 of each pixel: a part of a rendering, for `irradia merge`',
+    '',
+    `  --max-depth N  the most surfaces and scatterings of a path; otherwise ${DEFAULTS.maxDepth}`,
+    '  --seed N       another one gives other noise; the same one the same picture; otherwise 0',
+    '  --clamp X      bounds the radiance of a sample of indirect light: less noise, and a darker picture',
+    `  --aov LIST     layers of an .exr, some of ${AOVS.join(',')}: of what a pixel sees first; depth in metres;`,
+    '                 variance is that of the mean',
+    '',
+    'An animation turns the camera about its target (documents have no animations yet). Frames that are there',
+    'already are not rendered again.',
+    '  --frames A:B   frames A to B - 1 into FILE.0001.png and so on',
+    `  --fps N        frames per second; otherwise ${DEFAULTS.fps}`,
+    `  --turntable D  degrees per second; otherwise ${DEFAULTS.turntable}`,
   ],
-  options: {
-    output: { type: 'string', short: 'o' },
-    size: { type: 'string', default: DEFAULT_SIZE },
-    device: { type: 'string', default: 'auto' },
-  },
+  options: renderOptions,
   arguments: { least: 1, most: 1 },
-  async run({ arguments: [word = ''], options }) {
-    const { output, size, device } = options as Record<string, string>;
-    if (!output) throw new UsageError('render: expected -o FILE.png or -o FILE.exr');
-    const format = extname(output).slice(1).toLowerCase();
-    if (format !== 'png' && format !== 'exr')
-      throw new UsageError(`-o ${output}: expected a .png or an .exr`);
-    if (!DEVICES.includes(device as DeviceChoice)) {
-      throw new UsageError(`--device ${device}: expected ${DEVICES.join(', ')}`);
-    }
-    checkOutput(output, `-o ${output}`);
-    const { width, height } = parseSize(size as string);
+  async run({ arguments: [word = ''], options: words }) {
+    const options = parseRenderOptions(words);
+    checkWritable(options.output, `-o ${options.output}`);
     const document = await documentFor(word);
-
     // three.js is loaded only now that the call is known to be right.
+    if (options.renderer === 'pathtracer')
+      return (await import('../render/path-traced.ts')).pathTraced(document, options);
     const { renderFrame } = await import('../frame.ts');
     const software = `Irradia ${packageVersion()}`;
-    const file = await renderFrame(document, {
-      width,
-      height,
-      format,
-      device: device as DeviceChoice,
-      software,
-    });
-    writeOutput(output, `-o ${output}`, file);
+    const file = await renderFrame(document, { ...options, software });
+    saveWhole(options.output, `-o ${options.output}`, file);
     return 0;
   },
 };
 
 export default command;
-
-function parseSize(text: string): { width: number; height: number } {
-  const [, width, height] = /^(\d{1,5})x(\d{1,5})$/i.exec(text)?.map(Number) ?? [];
-  if (!width || !height)
-    throw new UsageError(`--size ${text}: expected WIDTHxHEIGHT, such as ${DEFAULT_SIZE}`);
-  return { width, height };
-}
 
 /** A scene comes before a model of the same name; a file's ending tells which of the two it is. */
 async function documentFor(word: string): Promise<Document> {

@@ -1,0 +1,135 @@
+/** Path traced pictures: one, or the frames of an animation. */
+import type { Document } from '../../scene/schema.ts';
+import { CliError } from '../command.ts';
+import { packageVersion } from '../package-root.ts';
+import { Interruption } from './interruption.ts';
+import { checkFilmSize, type RenderOptions } from './options.ts';
+import { type PassesResult, renderPasses, type Until } from './passes.ts';
+import { filmToExr, radianceToPng } from './picture.ts';
+import { ProgressBar } from './progress-bar.ts';
+import { documentHash, type RenderRecord } from './record.ts';
+import { checkWritable, savePicture } from './save.ts';
+import { type Shot, shotsOf, whyRender } from './shots.ts';
+import { createMachine, loadScene, type Machine } from './tracer.ts';
+
+/** @returns the exit code */
+export async function pathTraced(document: Document, options: RenderOptions): Promise<number> {
+  checkFilmSize(options);
+  checkWritable(options.output, `-o ${options.output}`);
+  const hash = documentHash(document);
+  const plans = shotsOf(document, options).map((shot) => ({
+    shot,
+    record: recordOf(document, hash, shot, options),
+  }));
+  const open = options.animation === null ? plans : plans.filter((plan) => isOpen(plan, options));
+  if (open.length < plans.length) say(`${plans.length - open.length} of ${plans.length} frames are there`);
+  if (open.length === 0) return 0;
+
+  const interruption = new Interruption();
+  const machine = await createMachine(options.device);
+  try {
+    const bar = new ProgressBar(options.width * options.height, options.until);
+    try {
+      await loadScene(machine, document, interruption.signal, (part) =>
+        bar.prepare(`preparing the scene, ${Math.floor(100 * part)} %`),
+      );
+    } catch (error) {
+      if (!interruption.signal.aborted) throw error;
+    } finally {
+      bar.clear();
+    }
+    for (const { shot, record } of open) {
+      if (interruption.signal.aborted) {
+        say('interrupted: nothing was written');
+        break;
+      }
+      await renderShot(machine, shot, record, options, interruption.signal);
+    }
+    return interruption.exitCode;
+  } finally {
+    machine.tracer.dispose();
+    interruption.dispose();
+  }
+}
+
+const say = (text: string): void => void process.stderr.write(`irradia: ${text}\n`);
+
+function isOpen({ shot, record }: { shot: Shot; record: RenderRecord }, options: RenderOptions): boolean {
+  const why = whyRender(shot.path, record, options);
+  if (why !== null && why !== 'missing') say(`${shot.path} is rendered anew: ${why}`);
+  return why !== null;
+}
+
+function recordOf(
+  document: Document,
+  hash: string,
+  { camera, seed }: Shot,
+  { until, first, maxDepth, clamp }: RenderOptions,
+): RenderRecord {
+  return {
+    renderer: 'pathtracer',
+    version: packageVersion(),
+    document: hash,
+    camera: JSON.stringify(camera),
+    seed,
+    maxDepth,
+    clamp,
+    strategy: 'mis',
+    name: document.name,
+    samples: [],
+    until: untilText(until, first),
+    device: '',
+    exposure: document.view.exposure,
+    toneMapping: document.view.toneMapping,
+  };
+}
+
+function untilText(until: Until, first: number): string {
+  if (until.kind === 'samples') return `samples ${first}:${first + until.count}`;
+  return until.kind === 'time' ? `time ${until.seconds}` : `error ${until.error}`;
+}
+
+async function renderShot(
+  { tracer, pathsPerPass }: Machine,
+  { path, camera, seed, title }: Shot,
+  planned: RenderRecord,
+  options: RenderOptions,
+  signal: AbortSignal,
+): Promise<void> {
+  const { width, height, maxDepth, clamp, until, first, animation } = options;
+  const bar = new ProgressBar(width * height, until, title);
+  tracer.start(camera, { width, height, maxDepth, seed, strategy: 'mis', clamp });
+  const result = await renderPasses(tracer, {
+    first,
+    until,
+    pixels: width * height,
+    pathsPerPass,
+    signal,
+    onProgress: (state) => bar.update(state),
+  });
+  bar.clear();
+  const { film, samples, stopped } = result;
+  // Half a frame would look like a whole one when the animation goes on.
+  const isWorthIt = film !== null && (stopped === null || animation === null);
+  if (isWorthIt) {
+    const range = { from: first, to: first + samples };
+    const record = { ...planned, samples: [range], device: tracer.device };
+    const file =
+      options.format === 'exr'
+        ? filmToExr(film, record, options.aovs)
+        : radianceToPng(film.mean(), film, record);
+    savePicture(path, `-o ${path}`, file);
+    bar.end(result);
+  }
+  report(result, path, isWorthIt);
+}
+
+/** Says what came of a rendering that did not come to its end. */
+function report({ stopped, samples }: PassesResult, path: string, isWritten: boolean): void {
+  if (stopped === null) return;
+  const what = isWritten
+    ? `${path} has the ${samples} samples that were finished`
+    : `${path} was not written`;
+  if (stopped !== 'signal') throw new CliError(`${stopped.message}; ${what}`, { cause: stopped });
+  say(`interrupted: ${what}`);
+}

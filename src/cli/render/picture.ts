@@ -1,0 +1,54 @@
+/** A film as a file. */
+import { displayPixels } from '../../color/tone-mapping.ts';
+import { type ExrChannel, type ExrImage, encodeExr } from '../../io/exr.ts';
+import { encodePng } from '../../io/png.ts';
+import type { Film } from '../../pathtracer/film.ts';
+import type { Aov } from './options.ts';
+import { type RenderRecord, toAttributes } from './record.ts';
+
+/** Names of the components of layers; 'depth.A' is the part of the samples that hit something, which merging needs. */
+const COMPONENTS: Readonly<Record<Aov, readonly string[]>> = {
+  albedo: ['R', 'G', 'B'],
+  normal: ['X', 'Y', 'Z'],
+  depth: ['Z', 'A'],
+  variance: ['R', 'G', 'B'],
+};
+
+export function filmToExr(film: Film, record: RenderRecord, aovs: readonly Aov[]): Uint8Array {
+  const channels = [
+    ...layer('', ['R', 'G', 'B'], film.mean()),
+    ...aovs.flatMap((aov) => layer(`${aov}.`, COMPONENTS[aov], aovPixels(film, aov))),
+  ];
+  const { width, height } = film;
+  return encodeExr({ width, height, channels, attributes: toAttributes(record) });
+}
+
+/** Values of a layer, all components of a pixel together. */
+function aovPixels(film: Film, aov: Aov): Float32Array {
+  if (aov === 'albedo') return film.meanAlbedo();
+  if (aov === 'normal') return film.meanNormal();
+  if (aov === 'variance') return film.variance();
+  const depth = film.meanDepth();
+  return new Float32Array(2 * depth.length).map((_, i) => {
+    const pixel = i >> 1;
+    return i % 2 === 0 ? depth[pixel]! : film.alpha[pixel]! / film.count[pixel]!;
+  });
+}
+
+function layer(prefix: string, components: readonly string[], values: Float32Array): ExrChannel[] {
+  const stride = components.length;
+  return components.map((component, c) => ({
+    name: prefix + component,
+    type: 'float',
+    pixels: new Float32Array(values.length / stride).map((_, pixel) => values[stride * pixel + c]!),
+  }));
+}
+
+/** As the lab shows it. @param radiance RGB */
+export function radianceToPng(
+  radiance: Float32Array,
+  { width, height }: Pick<ExrImage, 'width' | 'height'>,
+  record: RenderRecord,
+): Uint8Array {
+  return encodePng(displayPixels(radiance, record), width, height, toAttributes(record));
+}
