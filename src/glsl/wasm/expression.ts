@@ -9,6 +9,7 @@ import { construct } from './construct.ts';
 import { hasEffects, isVariablePart } from './effects.ts';
 import { cellsOf, constantCells, fieldStart } from './layout.ts';
 import { mathFunction } from './math.ts';
+import { isLoad, loadAt, splitIndex } from './memory.ts';
 import { ELSE, END, IF, TYPE_CODES } from './opcodes.ts';
 import { arithmetic, compareCells, complement, equal, negate } from './operators.ts';
 import { type Place, readPlace, readTarget, type Target } from './places.ts';
@@ -78,6 +79,10 @@ export abstract class ExpressionWriter {
       case 'call':
         return this.call(e);
       case 'builtin':
+        if (isLoad(e.name)) {
+          const { varying, constant } = splitIndex(e.args[0] as Expr);
+          return [loadAt(this.unit, e.name, varying && this.scalar(varying), constant)];
+        }
         return this.mathematics(e) ?? builtin(this.unit, this.body, e, this.expressions(e.args));
       case 'construct': {
         const types = e.args.map((arg) => arg.type);

@@ -18,7 +18,39 @@ const LOADS: Record<string, { from: 'scene' | 'film'; shift: number; type: WasmT
   filmLoad: { from: 'film', shift: 4, type: 'v128' },
 };
 
-/** The functions that read and write memory and look at numbers as bits; null for others. */
+/** Whether this reads 4 or 16 bytes at an index, and nothing else. */
+export function isLoad(name: string): boolean {
+  return name in LOADS;
+}
+
+/**
+ * A read at `index + constant`. The constant becomes a part of the instruction, so that neighbours have one
+ * address, which V8 computes once.
+ */
+export function loadAt(unit: Unit, name: string, index: Code | null, constant: number): Code {
+  const { from, shift, type } = LOADS[name] as (typeof LOADS)[string];
+  const start = index ? address(unit, from, index, shift) : globalGet(unit[from], 'i32');
+  return load(type, start, constant << shift, NEVER_EARLY);
+}
+
+/** An index as what varies, if anything does, and a constant that is not negative. */
+export function splitIndex(index: Expr): { readonly varying: Expr | null; readonly constant: number } {
+  const parts = split(index);
+  return parts.constant < 0 ? { varying: index, constant: 0 } : parts;
+}
+
+function split(e: Expr): { varying: Expr | null; constant: number } {
+  if (e.kind === 'literal') return { varying: null, constant: e.value as number };
+  if (e.kind !== 'binary' || (e.operator !== '+' && e.operator !== '-')) return { varying: e, constant: 0 };
+  const [left, right] = [split(e.left), split(e.right)];
+  const sign = e.operator === '+' ? 1 : -1;
+  const constant = left.constant + sign * right.constant;
+  if (right.varying === null) return { varying: left.varying, constant };
+  if (left.varying !== null) return { varying: { ...e, left: left.varying, right: right.varying }, constant };
+  return sign > 0 ? { varying: right.varying, constant } : { varying: e, constant: 0 };
+}
+
+/** Other functions that read and write memory and look at numbers as bits; null for others. */
 export function memoryBuiltin(
   unit: Unit,
   body: Body,
@@ -26,8 +58,6 @@ export function memoryBuiltin(
   args: readonly Cells[],
 ): Cells | null {
   const [a, b] = args as readonly [Cells, Cells];
-  const read = LOADS[e.name];
-  if (read) return [load(read.type, address(unit, read.from, a[0] as Code, read.shift), 0, NEVER_EARLY)];
   switch (e.name) {
     case 'filmStore':
       body.push(address(unit, 'film', a[0] as Code, 4).bytes);

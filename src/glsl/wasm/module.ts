@@ -7,6 +7,8 @@ export interface Signature {
   readonly results: readonly WasmType[];
 }
 export interface WasmFunction extends Signature {
+  /** For profilers and the stacks of errors. */
+  readonly name: string;
   readonly locals: readonly WasmType[];
   /** Its instructions; a negative number -k is the function with symbol k - 1. */
   readonly bytes: readonly number[];
@@ -29,6 +31,8 @@ export interface WasmModule {
 }
 
 const FUNCTION_TYPE = 0x60;
+/** The part of the custom section `name`. */
+const FUNCTION_NAMES = 1;
 const ZERO: Record<WasmType, readonly number[]> = {
   i32: [0x41, 0],
   f32: [0x43, 0, 0, 0, 0],
@@ -80,6 +84,7 @@ export function encodeModule(module: WasmModule): Uint8Array<ArrayBuffer> {
     const content = vector(runs(locals)).concat(resolved);
     return unsigned(content.length).concat(content);
   });
+  const names = [...functions].map(([symbol, { name }]) => [...indexOf(symbol), ...text(name)]);
   return new Uint8Array(
     [0x00, 0x61, 0x73, 0x6d, 1, 0, 0, 0].concat(
       section(1, vector(types)),
@@ -91,6 +96,7 @@ export function encodeModule(module: WasmModule): Uint8Array<ArrayBuffer> {
       section(12, unsigned(1)),
       section(10, vector(code)),
       section(11, vector([[1, ...unsigned(module.data.length), ...module.data]])),
+      section(0, [...text('name'), ...section(FUNCTION_NAMES, vector(names))]),
     ),
   );
 }

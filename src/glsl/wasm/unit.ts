@@ -54,7 +54,7 @@ export class Unit {
     if (symbol === undefined) {
       symbol = this.symbols.size;
       this.symbols.set(f, symbol);
-      const signature = { arguments: argumentCells(f), results: resultCells(f) };
+      const signature = { name: f.name, arguments: argumentCells(f), results: resultCells(f) };
       this.functions.set(symbol, { ...signature, ...new FunctionWriter(this, f).write(f) });
     }
     return symbol;
@@ -129,7 +129,7 @@ export class Unit {
     const bytes = [GLOBAL_GET, this.top, ...size, ...opcode('i32.sub'), LOCAL_SET, 0];
     bytes.push(...address, GLOBAL_SET, this.dataStart, ...address, GLOBAL_SET, this.stack);
     bytes.push(...address, I32_CONST, 0, ...size, ...MEMORY_INIT, END);
-    return { arguments: [], results: [], locals: ['i32'], bytes };
+    return { name: 'start', arguments: [], results: [], locals: ['i32'], bytes };
   }
 }
 
