@@ -13,17 +13,24 @@ const COMMANDS: Readonly<Record<string, () => Promise<{ default: Command }>>> = 
   'brdf eval': () => import('./commands/brdf-eval.ts'),
   'brdf check': () => import('./commands/brdf-check.ts'),
   'brdf fit': () => import('./commands/brdf-fit.ts'),
+  'substance list': () => import('./commands/substance-list.ts'),
+  'substance show': () => import('./commands/substance-show.ts'),
 };
+
+/** The first words of commands that have two. */
+const GROUPS = new Set(
+  Object.keys(COMMANDS).flatMap((name) => (name.includes(' ') ? [name.split(' ')[0]] : [])),
+);
 
 async function run(words: readonly string[]): Promise<number> {
   const [first, second] = words;
   if (first === '--help' || first === '-h' || first === 'help') return print(await overview());
   if (first === '--version' || first === '-v') return print(`${packageVersion()}\n`);
-  if (first === 'brdf' && (second === undefined || !COMMANDS[`brdf ${second}`])) {
-    const text = await overview('brdf');
+  if (first !== undefined && GROUPS.has(first) && !Object.hasOwn(COMMANDS, `${first} ${second}`)) {
+    const text = await overview(first);
     if (second === '--help' || second === '-h') return print(text);
     throw new UsageError(
-      `${second ? `there is no command 'brdf ${second}'` : 'brdf what?'}\n${text.trimEnd()}`,
+      `${second ? `there is no command '${first} ${second}'` : `${first} what?`}\n${text.trimEnd()}`,
     );
   }
   const name = [`${first} ${second}`, `${first}`].find((words) => Object.hasOwn(COMMANDS, words));
