@@ -8,7 +8,14 @@ export default defineConfig({
   publicDir: false,
   cacheDir: `${repository}node_modules/.vite/lab`,
   resolve: { alias },
-  server: { fs: { allow: [repository] } },
+  server: {
+    fs: { allow: [repository] },
+    // As src/cli/static-server.ts: the path tracer's threads share memory only in an isolated page.
+    headers: {
+      'Cross-Origin-Opener-Policy': 'same-origin',
+      'Cross-Origin-Embedder-Policy': 'require-corp',
+    },
+  },
   build: {
     target,
     outDir: `${repository}dist/lab`,

@@ -42,6 +42,12 @@ const MEDIA_TYPES: Readonly<Record<string, string>> = {
   '.gltf': 'model/gltf+json',
 };
 
+/** The page is isolated from others, which lets its threads share memory; what it loads comes from here alone. */
+const ISOLATION = {
+  'Cross-Origin-Opener-Policy': 'same-origin',
+  'Cross-Origin-Embedder-Policy': 'require-corp',
+};
+
 export async function startStaticServer(options: StaticServerOptions): Promise<StaticServer> {
   const server = createServer((request, response) => void answer(request, response, options));
   const port = await listen(server, options.port, options.tries ?? 1);
@@ -82,7 +88,12 @@ async function answer(
 ): Promise<void> {
   const send = (status: number, type: string, body: Uint8Array | string) => {
     const always = { 'Content-Type': type, 'X-Content-Type-Options': 'nosniff', 'Cache-Control': 'no-cache' };
-    response.writeHead(status, { ...headers, ...always, 'Content-Length': Buffer.byteLength(body) });
+    response.writeHead(status, {
+      ...ISOLATION,
+      ...headers,
+      ...always,
+      'Content-Length': Buffer.byteLength(body),
+    });
     response.end(request.method === 'HEAD' ? undefined : body);
   };
   const refuse = (status: number, text: string) => send(status, 'text/plain; charset=utf-8', `${text}\n`);

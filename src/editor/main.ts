@@ -29,7 +29,7 @@ import { createTopbar } from './panels/topbar/topbar.ts';
 import { loadScene, shippedScenes } from './scenes.ts';
 import type { Session } from './session.ts';
 import { installShortcuts } from './shortcuts.ts';
-import { EditorStateStore } from './state.ts';
+import { EditorStateStore, renderings } from './state.ts';
 import { confirm } from './ui/confirm.ts';
 import { h } from './ui/dom.ts';
 import { startProgress, toast, toastError } from './ui/toast.ts';
@@ -110,6 +110,8 @@ installShortcuts([
   { key: 'h', run: () => toggleHelpers(store) },
   { key: 'b', run: () => toggleBench(state) },
   { key: 'b', shift: true, run: () => toggleBenchPage(state) },
+  ...renderings.map((rendering, i) => ({ key: `${i + 1}`, run: () => state.set({ rendering }) })),
+  { key: 'p', run: () => state.set({ tracingPaused: !state.value.tracingPaused }) },
   { key: 'e', ctrl: true, run: () => toggleSource(store, state) },
   { key: 'f2', run: () => session.renameSelected() },
   { key: 'escape', run: () => state.select(null) },

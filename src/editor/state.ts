@@ -7,6 +7,10 @@ import { type BenchSettings, initialSettings } from './panels/bench/settings.ts'
 
 export type EntityKind = 'lights' | 'objects' | 'materials';
 
+/** What the viewport shows: one of the two renderings, both side by side, or how they differ. */
+export const renderings = ['interactive', 'traced', 'split', 'difference'] as const;
+export type Rendering = (typeof renderings)[number];
+
 /** Null is the scene itself: camera, environment, view. */
 export type Selection = { readonly kind: EntityKind; readonly id: string } | null;
 
@@ -27,6 +31,10 @@ export interface EditorState {
   readonly bench: BenchSettings;
   /** The model of the scene whose source is being edited. */
   readonly source: string | null;
+  readonly rendering: Rendering;
+  /** The part of the viewport's width left of the divider, which is interactive. */
+  readonly divider: number;
+  readonly tracingPaused: boolean;
 }
 
 const persistent = ['folded', 'units', 'statusOpen', 'benchOpen', 'benchHeight'] as const;
@@ -46,6 +54,9 @@ const initial: EditorState = {
   benchHeight: 348,
   bench: initialSettings,
   source: null,
+  rendering: 'interactive',
+  divider: 0.5,
+  tracingPaused: false,
 };
 
 export class EditorStateStore {

@@ -1,4 +1,4 @@
-import { renderOutput, texture, uniform, vec4 } from 'three/tsl';
+import { renderOutput, select, texture, uniform, uv, vec4 } from 'three/tsl';
 import {
   ACESFilmicToneMapping,
   AgXToneMapping,
@@ -8,6 +8,7 @@ import {
   QuadMesh,
   SRGBColorSpace,
   type Texture,
+  type TextureNode,
   type ToneMapping,
   type WebGPURenderer,
 } from 'three/webgpu';
@@ -20,16 +21,34 @@ const TONE_MAPPINGS: Readonly<Record<View['toneMapping'], ToneMapping>> = {
   neutral: NeutralToneMapping,
 };
 
+/** Linear radiance from elsewhere, such as a path traced picture, for the right part of the frame. */
+export interface Companion {
+  readonly radiance: Texture;
+  /** The part of the width at which it begins: 0 shows it alone. */
+  readonly from: number;
+}
+
 /** From linear radiance to the sRGB values of a screen: exposure, tone mapping, encoding. */
 export class OutputPass {
   readonly #exposure = uniform(1);
-  readonly #quads = new Map<View['toneMapping'], QuadMesh>();
+  readonly #from = uniform(0);
+  readonly #quads = new Map<string, QuadMesh>();
+  #companion: TextureNode<'vec4'> | null = null;
 
   constructor(readonly radiance: Texture) {}
 
-  render(renderer: WebGPURenderer, { exposure, toneMapping }: Pick<View, 'exposure' | 'toneMapping'>): void {
+  render(
+    renderer: WebGPURenderer,
+    { exposure, toneMapping }: Pick<View, 'exposure' | 'toneMapping'>,
+    companion: Companion | null = null,
+  ): void {
     this.#exposure.value = 2 ** exposure;
-    this.#quad(toneMapping).render(renderer);
+    if (companion !== null) {
+      this.#companion ??= texture(companion.radiance);
+      this.#companion.value = companion.radiance;
+      this.#from.value = companion.from;
+    }
+    this.#quad(toneMapping, companion === null ? null : this.#companion).render(renderer);
   }
 
   dispose(): void {
@@ -37,15 +56,18 @@ export class OutputPass {
   }
 
   /** One for each tone mapping that was asked for, so that going back to one compiles nothing. */
-  #quad(toneMapping: View['toneMapping']): QuadMesh {
-    let quad = this.#quads.get(toneMapping);
+  #quad(toneMapping: View['toneMapping'], companion: TextureNode<'vec4'> | null): QuadMesh {
+    const key = companion === null ? toneMapping : `${toneMapping} beside another`;
+    let quad = this.#quads.get(key);
     if (!quad) {
       const material = new NodeMaterial();
-      material.name = `output ${toneMapping}`;
-      const exposed = texture(this.radiance).rgb.mul(this.#exposure);
+      material.name = `output ${key}`;
+      const own = texture(this.radiance).rgb;
+      const shown = companion === null ? own : select(uv().x.lessThan(this.#from), own, companion.rgb);
+      const exposed = shown.mul(this.#exposure);
       material.fragmentNode = renderOutput(vec4(exposed, 1), TONE_MAPPINGS[toneMapping], SRGBColorSpace);
       quad = new QuadMesh(material);
-      this.#quads.set(toneMapping, quad);
+      this.#quads.set(key, quad);
     }
     return quad;
   }

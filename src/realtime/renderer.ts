@@ -16,7 +16,7 @@ import {
 } from 'three/webgpu';
 import { fromHalf } from '../io/half.ts';
 import type { View } from '../scene/schema.ts';
-import { OutputPass } from './output-pass.ts';
+import { type Companion, OutputPass } from './output-pass.ts';
 
 export interface RendererOptions {
   /** Where frames appear; three.js makes one when it is left out: `renderer.canvas`. */
@@ -66,6 +66,8 @@ export async function createRenderer(options: RendererOptions = {}): Promise<Rea
 export class RealtimeRenderer {
   readonly #radiance: RenderTarget;
   readonly #output: OutputPass;
+  /** Shown instead of a part of the frame; readRadiance() does not see it. */
+  companion: Companion | null = null;
 
   /** For a renderer of three.js that is initialised already; createRenderer() makes one. */
   constructor(
@@ -106,7 +108,12 @@ export class RealtimeRenderer {
     this.three.setRenderTarget(this.#radiance);
     this.three.render(scene, camera);
     this.three.setRenderTarget(null);
-    this.#output.render(this.three, view);
+    this.#output.render(this.three, view, this.companion);
+  }
+
+  /** The last frame again, with another exposure, tone mapping or companion. */
+  renderAgain(view: ViewSettings): void {
+    this.#output.render(this.three, view, this.companion);
   }
 
   /** The last frame as linear radiance, as large as it was rendered: the size times the resolution scale. */
@@ -117,12 +124,12 @@ export class RealtimeRenderer {
     return { width, height, pixels };
   }
 
-  /** The last frame as the screen shows it: 8-bit sRGB with alpha, rows from the top. */
-  async readImage(view: ViewSettings): Promise<Uint8Array> {
+  /** The last frame as the screen shows it, or beside another companion: 8-bit sRGB with alpha, rows from the top. */
+  async readImage(view: ViewSettings, companion = this.companion): Promise<Uint8Array> {
     const { width, height } = this.three.domElement;
     const target = new RenderTarget(width, height, { type: UnsignedByteType, depthBuffer: false });
     this.three.setRenderTarget(target);
-    this.#output.render(this.three, view);
+    this.#output.render(this.three, view, companion);
     this.three.setRenderTarget(null);
     const pixels = (await this.#read(target)) as Uint8Array;
     target.dispose();

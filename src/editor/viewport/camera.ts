@@ -4,11 +4,13 @@
  */
 import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
 import { type Box3, type PerspectiveCamera, Sphere, type Vector3 } from 'three/webgpu';
-import type { Document } from '../../scene/schema.ts';
+import type { Camera, Document } from '../../scene/schema.ts';
 import type { DocumentStore } from '../../scene/store.ts';
 import { attempt } from '../commands.ts';
 
 export interface CameraControl {
+  /** Where the camera is while it is moved, as the document will say. */
+  pose(): Pick<Camera, 'position' | 'target'>;
   /** Takes the pose from the document: after undo, another scene, a typed number. */
   follow(document: Document): void;
   /** Moves so that all of the box is seen. */
@@ -29,9 +31,10 @@ export function createCameraControl(
   controls.rotateSpeed = 0.8;
   controls.addEventListener('change', onMove);
 
+  const pose = () => ({ position: rounded(camera.position), target: rounded(controls.target) });
+
   const write = (label: string) => {
-    const position = rounded(camera.position);
-    const target = rounded(controls.target);
+    const { position, target } = pose();
     attempt('The camera stays where it was', () =>
       store.edit(
         label,
@@ -52,6 +55,7 @@ export function createCameraControl(
   };
 
   return {
+    pose,
     follow,
     focus(box, name) {
       const sphere = box.getBoundingSphere(new Sphere());

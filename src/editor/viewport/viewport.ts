@@ -8,6 +8,9 @@ import type { SceneMirror } from '../../scene/mirror.ts';
 import type { Document } from '../../scene/schema.ts';
 import type { FrameTimes } from '../panels/status/frame-times.ts';
 import type { RenderFigures } from '../panels/status/status.ts';
+import type { ImagePair } from '../path-tracing/difference.ts';
+import { PathTracing } from '../path-tracing/path-tracing.ts';
+import { createPathTracingView } from '../path-tracing/view.ts';
 import type { Session } from '../session.ts';
 import { h } from '../ui/dom.ts';
 import { toastError } from '../ui/toast.ts';
@@ -38,6 +41,9 @@ export class Viewport {
   readonly #busy = h('div', { class: 'busy', role: 'status', hidden: true }, 'Loading…');
   readonly #loop: FrameLoop;
   readonly #camera: ReturnType<typeof createCameraControl>;
+  readonly tracing: PathTracing;
+  /** The scene or its place on the screen has changed since it was drawn. */
+  #stale = true;
   #counts: SceneCounts = { vertices: 0, triangles: 0 };
   #bounds: { id: string; box: Box3 } | null = null;
   #framesLeftToWait: (() => void)[] = [];
@@ -55,13 +61,16 @@ export class Viewport {
         toastError('The picture could not be drawn', error);
       },
     });
-    this.#camera = createCameraControl(mirror.camera, canvas, session.store, () => this.#loop.request());
+    this.tracing = new PathTracing({ session, onPicture: () => this.#loop.request() });
+    this.#camera = createCameraControl(mirror.camera, canvas, session.store, () => this.#redraw());
     this.#camera.follow(session.store.document);
+    element.append(createPathTracingView(session, this.tracing, () => this.#readPair()));
 
     session.store.subscribe(({ document, previous }) => this.#follow(document, previous));
     session.state.subscribe((now, before) => {
       if (now.continuous !== before.continuous) this.#loop.continuous = now.continuous;
       if (now.selection !== before.selection) this.#drawOverlay();
+      if (now.rendering !== before.rendering || now.divider !== before.divider) this.#loop.request();
     });
     this.#followSize(element);
     document.addEventListener('visibilitychange', () => this.#loop.interrupt());
@@ -73,6 +82,11 @@ export class Viewport {
   refresh(): void {
     this.#counts = countScene(this.#options.mirror.scene);
     this.#bounds = null;
+    this.#redraw();
+  }
+
+  #redraw(): void {
+    this.#stale = true;
     this.#loop.request();
   }
 
@@ -126,7 +140,7 @@ export class Viewport {
     mirror.apply(document);
     if (document.camera !== previous.camera) this.#camera.follow(document);
     if (document.objects !== previous.objects || document.assets !== previous.assets) this.refresh();
-    else this.#loop.request();
+    else this.#redraw();
     const notLong = window.setTimeout(() => {
       this.#busy.hidden = false;
     }, BUSY_AFTER_MS);
@@ -143,26 +157,63 @@ export class Viewport {
     let size = `${element.clientWidth} ${element.clientHeight}`;
     new ResizeObserver(() => {
       const now = `${element.clientWidth} ${element.clientHeight}`;
-      if (now !== size) this.#loop.request();
+      if (now !== size) this.#redraw();
       size = now;
     }).observe(element);
   }
 
-  #submit(): void {
-    const { element, mirror, renderer, session, onFigures } = this.#options;
+  /** The frame's size in pixels of the canvas, and of the radiance behind it. */
+  #sizes() {
+    const { element, session } = this.#options;
+    const { resolutionScale } = session.store.document.view;
     const size = {
       width: Math.max(1, Math.round(element.clientWidth * devicePixelRatio)),
       height: Math.max(1, Math.round(element.clientHeight * devicePixelRatio)),
     };
-    const { view } = session.store.document;
-    renderer.render(mirror, view, size);
+    const scaled = (length: number) => Math.max(1, Math.round(length * resolutionScale));
+    return { size, radiance: { width: scaled(size.width), height: scaled(size.height) } };
+  }
+
+  #submit(): void {
+    const { mirror, renderer, session, onFigures } = this.#options;
+    const { camera, view } = session.store.document;
+    const { rendering, divider, continuous } = session.state.value;
+    const { size, radiance } = this.#sizes();
+    this.tracing.look({ camera: { ...camera, ...this.#camera.pose() }, ...radiance });
+    const { texture } = this.tracing;
+    const shown = texture !== null && (rendering === 'traced' || rendering === 'split');
+    renderer.companion = shown ? { radiance: texture, from: rendering === 'split' ? divider : 0 } : null;
+    // What is not seen need not be drawn: the machine is the path tracer's.
+    const hidden = shown && rendering === 'traced' && !continuous;
+    if (hidden || (shown && !this.#stale && !continuous)) renderer.renderAgain(view);
+    else {
+      renderer.render(mirror, view, size);
+      this.#stale = false;
+    }
     onFigures({
-      width: Math.max(1, Math.round(size.width * view.resolutionScale)),
-      height: Math.max(1, Math.round(size.height * view.resolutionScale)),
+      ...radiance,
       drawCalls: renderer.three.info.render.drawCalls,
       backend: renderer.backend === 'webgpu' ? 'WebGPU' : 'WebGL 2',
       ...this.#counts,
     });
+  }
+
+  /** Both renderings as the screen would show them; null while there is no path traced one. */
+  async #readPair(): Promise<ImagePair | null> {
+    const { renderer, session, mirror } = this.#options;
+    const { view } = session.store.document;
+    if (this.#stale) {
+      renderer.render(mirror, view, this.#sizes().size);
+      this.#stale = false;
+    }
+    const { texture } = this.tracing;
+    if (texture === null) return null;
+    const { width, height } = renderer.canvas;
+    const [interactive, traced] = await Promise.all([
+      renderer.readImage(view, null),
+      renderer.readImage(view, { radiance: texture, from: 0 }),
+    ]);
+    return { width, height, interactive, traced };
   }
 
   async #render(): Promise<void> {

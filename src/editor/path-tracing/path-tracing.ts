@@ -1,0 +1,217 @@
+/**
+ * The path traced picture of what the viewport shows. It is asked for when the camera and the document have been at
+ * rest for a moment, and is gone as soon as either moves; between, it grows.
+ */
+import { DataTexture, HalfFloatType, LinearFilter, RGBAFormat } from 'three/webgpu';
+import type { Camera, Document } from '../../scene/schema.ts';
+import type { Session } from '../session.ts';
+import { changeOf, sameScene } from './document-change.ts';
+import type { Device, Figures, FromDirector, Phase, ToDirector, TracedPicture } from './messages.ts';
+
+/** So long nothing may have moved. */
+const REST_MS = 150;
+
+/** What is looked at, in pixels of the radiance. */
+export interface Look {
+  readonly camera: Camera;
+  readonly width: number;
+  readonly height: number;
+}
+
+export type TracingState =
+  /** Nobody wants the picture, or something moves. */
+  | { readonly kind: 'idle' }
+  | { readonly kind: 'starting'; readonly phase: Phase; readonly part: number }
+  | { readonly kind: 'picture'; readonly figures: Figures }
+  | { readonly kind: 'failed'; readonly message: string };
+
+export interface PathTracingOptions {
+  readonly session: Session;
+  /** The picture is new, or gone. */
+  onPicture(): void;
+}
+
+export class PathTracing {
+  readonly #options: PathTracingOptions;
+  readonly #listeners = new Set<() => void>();
+  #director: Worker | null = null;
+  #look: Look | null = null;
+  #restTimer = 0;
+  #ticket = 0;
+  /** What the director was asked for last. */
+  #asked: { readonly key: string; readonly document: Document } | null = null;
+  #sentDocument: Document | null = null;
+  #state: TracingState = { kind: 'idle' };
+  #device: Device | null = null;
+  #texture: DataTexture | null = null;
+  #packed = 0;
+  #waitingForExr: ((file: Uint8Array<ArrayBuffer> | null) => void)[] = [];
+
+  constructor(options: PathTracingOptions) {
+    this.#options = options;
+    const { store, state } = options.session;
+    store.subscribe(({ document, previous }) => {
+      if (document.pathTracing !== previous.pathTracing) this.#sendGoal();
+      this.#follow();
+    });
+    state.subscribe((now, before) => {
+      if (now.rendering === before.rendering && now.tracingPaused === before.tracingPaused) return;
+      this.#sendPause();
+      this.#follow();
+      this.#changed();
+    });
+  }
+
+  get state(): TracingState {
+    return this.#state;
+  }
+
+  get device(): Device | null {
+    return this.#device;
+  }
+
+  /** The mean radiance so far of what is looked at; null while there is none. */
+  get texture(): DataTexture | null {
+    return this.#state.kind === 'picture' ? this.#texture : null;
+  }
+
+  /** Renderings begun, and scenes packed for them. */
+  get counts(): { renderings: number; packed: number } {
+    return { renderings: this.#ticket, packed: this.#packed };
+  }
+
+  subscribe(listener: () => void): () => void {
+    this.#listeners.add(listener);
+    return () => this.#listeners.delete(listener);
+  }
+
+  /** Tells what is looked at; may be told as often as one likes. */
+  look(look: Look): void {
+    this.#look = look;
+    this.#follow();
+  }
+
+  /** The film as it is. Null where there is none. */
+  exr(): Promise<Uint8Array<ArrayBuffer> | null> {
+    if (this.#state.kind !== 'picture') return Promise.resolve(null);
+    return new Promise((resolve) => {
+      this.#waitingForExr.push(resolve);
+      this.#send({ kind: 'exr', documentName: this.#options.session.store.document.name });
+    });
+  }
+
+  get #wanted(): boolean {
+    return this.#options.session.state.value.rendering !== 'interactive';
+  }
+
+  /** Ends a picture that is no longer of what is looked at, and asks for the next one at rest. */
+  #follow(): void {
+    if (!this.#wanted || this.#look === null) return;
+    const { document } = this.#options.session.store;
+    const key = this.#keyOf(this.#look, document);
+    const asked = this.#asked;
+    if (asked !== null && asked.key === key && sameScene(asked.document, document)) return;
+    this.#asked = null;
+    this.#setState({ kind: 'idle' });
+    this.#sendPause();
+    clearTimeout(this.#restTimer);
+    this.#restTimer = window.setTimeout(() => this.#ask(), REST_MS);
+  }
+
+  #ask(): void {
+    if (!this.#wanted || this.#look === null) return;
+    const { document } = this.#options.session.store;
+    const { camera, width, height } = this.#look;
+    const { maxDepth, seed, clamp } = document.pathTracing;
+    this.#asked = { key: this.#keyOf(this.#look, document), document };
+    this.#ticket += 1;
+    const scene = this.#sentDocument === null || !sameScene(this.#sentDocument, document);
+    if (this.#director === null) this.#sendGoal();
+    this.#send({
+      kind: 'render',
+      ticket: this.#ticket,
+      change: scene ? changeOf(this.#sentDocument, document) : null,
+      camera,
+      settings: { width, height, maxDepth, seed, clamp, strategy: 'mis' },
+    });
+    if (scene) this.#sentDocument = document;
+    this.#setState({ kind: 'starting', phase: scene ? 'packing' : 'tracing', part: 0 });
+    this.#sendPause();
+  }
+
+  #keyOf({ camera, width, height }: Look, { pathTracing }: Document): string {
+    const { near, far, ...seen } = camera;
+    const { samples, error, ...settings } = pathTracing;
+    return JSON.stringify([seen, width, height, settings]);
+  }
+
+  #sendGoal(): void {
+    const { samples, error } = this.#options.session.store.document.pathTracing;
+    this.#send({ kind: 'goal', goal: { samples, error } });
+  }
+
+  /** While something moves, the machine is the interactive view's alone. */
+  #sendPause(): void {
+    if (this.#director === null) return;
+    const paused = this.#asked === null || !this.#wanted || this.#options.session.state.value.tracingPaused;
+    this.#send({ kind: 'pause', paused });
+  }
+
+  #send(message: ToDirector): void {
+    this.#director ??= this.#spawn();
+    this.#director.postMessage(message);
+  }
+
+  #spawn(): Worker {
+    const worker = new Worker(new URL('./director-worker.ts', import.meta.url), { type: 'module' });
+    worker.addEventListener('message', ({ data }: MessageEvent<FromDirector>) => this.#receive(data));
+    worker.addEventListener('error', (event) => {
+      worker.terminate();
+      this.#director = null;
+      this.#sentDocument = null;
+      const why = event.message || 'its worker could not be loaded';
+      this.#setState({ kind: 'failed', message: `The path tracer stopped: ${why}` });
+    });
+    return worker;
+  }
+
+  #receive(message: FromDirector): void {
+    if (message.kind === 'device') {
+      this.#device = message.device;
+      this.#changed();
+    } else if (message.kind === 'exr') this.#waitingForExr.shift()?.(message.file);
+    else if (this.#asked === null || message.ticket !== this.#ticket) return;
+    else if (message.kind === 'phase') {
+      const { phase, part } = message;
+      if (this.#state.kind !== 'picture') this.#setState({ kind: 'starting', phase, part });
+    } else if (message.kind === 'failed') this.#setState({ kind: 'failed', message: message.message });
+    else {
+      this.#packed = message.packed;
+      this.#show(message.picture);
+      this.#setState({ kind: 'picture', figures: message.figures });
+    }
+  }
+
+  #show({ width, height, pixels }: TracedPicture): void {
+    const old = this.#texture?.image;
+    if (old?.width !== width || old.height !== height) {
+      this.#texture?.dispose();
+      this.#texture = new DataTexture(pixels, width, height, RGBAFormat, HalfFloatType);
+      this.#texture.minFilter = LinearFilter;
+      this.#texture.magFilter = LinearFilter;
+    } else old.data = pixels;
+    (this.#texture as DataTexture).needsUpdate = true;
+  }
+
+  #setState(state: TracingState): void {
+    const before = this.#state.kind;
+    if (before === 'idle' && state.kind === 'idle') return;
+    this.#state = state;
+    if (before === 'picture' || state.kind === 'picture') this.#options.onPicture();
+    this.#changed();
+  }
+
+  #changed(): void {
+    for (const listener of this.#listeners) listener();
+  }
+}

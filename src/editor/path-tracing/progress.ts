@@ -1,0 +1,53 @@
+/** How far the path traced picture is: samples, time, error, speed; pause and go on. */
+import type { Session } from '../session.ts';
+import { h } from '../ui/dom.ts';
+import { icon, setIcon } from '../ui/icons.ts';
+import { describe, fractionOf } from './figures.ts';
+import type { PathTracing } from './path-tracing.ts';
+
+export function createProgress({ store, state }: Session, tracing: PathTracing): HTMLElement {
+  const text = h('span', { class: 'tracing-text' });
+  const device = h('span', { class: 'tracing-device' });
+  const bar = h('div', {
+    class: 'bar',
+    role: 'progressbar',
+    'aria-label': 'Path traced picture',
+    'aria-valuemin': 0,
+    'aria-valuemax': 100,
+  });
+  bar.append(h('div', { class: 'bar-fill' }));
+  const pause = h('button', { type: 'button', class: 'icon-button' }, icon('pause'));
+  pause.addEventListener('click', () => state.set({ tracingPaused: !state.value.tracingPaused }));
+  const element = h(
+    'div',
+    { class: 'tracing-progress', hidden: true },
+    h('div', { class: 'tracing-line' }, text, pause),
+    bar,
+    device,
+  );
+
+  const show = () => {
+    const { rendering, tracingPaused: paused } = state.value;
+    element.hidden = rendering === 'interactive';
+    if (element.hidden) return;
+    const current = tracing.state;
+    const { pathTracing } = store.document;
+    text.textContent = describe(current, paused);
+    text.classList.toggle('error', current.kind === 'failed');
+    const fraction = fractionOf(current, pathTracing);
+    bar.classList.toggle('unknown', fraction === null && !paused);
+    bar.style.setProperty('--fraction', `${100 * (fraction ?? 0)}%`);
+    bar.setAttribute('aria-valuenow', String(Math.round(100 * (fraction ?? 0))));
+    const { device: by } = tracing;
+    device.textContent = by === null ? '' : by.note === '' ? by.name : `${by.name}: ${by.note}`;
+    pause.setAttribute('aria-label', paused ? 'Go on path tracing' : 'Pause path tracing');
+    pause.dataset.tip = paused ? 'Go on (P)' : 'Pause (P)';
+    pause.setAttribute('aria-pressed', String(paused));
+    setIcon(pause, paused ? 'play' : 'pause');
+  };
+  tracing.subscribe(show);
+  state.subscribe(show);
+  store.subscribe(show);
+  show();
+  return element;
+}
