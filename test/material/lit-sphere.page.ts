@@ -1,4 +1,5 @@
 import * as THREE from 'three/webgpu';
+import { type AlbedoCurve, BROAD_LIGHTS, compareBroad } from './broad-light.ts';
 import {
   type Comparison,
   compareSphere,
@@ -14,12 +15,17 @@ export interface CaseResult extends Comparison {
   readonly light: string;
 }
 
+export interface Order {
+  readonly forceWebGL: boolean;
+  /** Of the materials that are compared under light from everywhere. */
+  readonly curves: Readonly<Record<string, AlbedoCurve>>;
+}
+
 /** Every material under every light, in a browser, on WebGPU or on WebGL 2. */
 export default async function compareAll({
   forceWebGL,
-}: {
-  forceWebGL: boolean;
-}): Promise<{ backend: string; results: CaseResult[] }> {
+  curves,
+}: Order): Promise<{ backend: string; results: CaseResult[] }> {
   const renderer = new THREE.WebGPURenderer({ forceWebGL, canvas: document.createElement('canvas') });
   await renderer.init();
   renderer.setSize(SIZE, SIZE, false);
@@ -32,6 +38,15 @@ export default async function compareAll({
         material,
         light,
         ...(await compareSphere(renderer, geometry, surfaces, material, light)),
+      });
+    }
+  }
+  for (const light of Object.keys(BROAD_LIGHTS)) {
+    for (const [material, curve] of Object.entries(curves)) {
+      results.push({
+        material,
+        light,
+        ...(await compareBroad(renderer, geometry, surfaces, material, light, curve)),
       });
     }
   }

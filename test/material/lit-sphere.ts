@@ -225,12 +225,64 @@ export function surfaceAt(
 export interface Comparison {
   /** Pixels that were compared. */
   readonly count: number;
+  /** Those among them that are next to a jump of the equation, and on one of its sides. */
+  readonly jumps: number;
   /** The largest difference, relative to the value or, where that is less, to 1e-3. */
   readonly worst: number;
   readonly where: string;
 }
 
-/** Draws a case and compares every pixel whose view is at least 0.25 (cosine) off the silhouette. */
+export type Surface = NonNullable<ReturnType<typeof surfaceAt>>;
+
+export interface Expectation {
+  /** What the pixel should be; null where it cannot be said. */
+  readonly at: (surface: Surface) => readonly number[] | null;
+  /** The same for inputs that differ by float32's rounding: a value between them will do, where it jumps. */
+  readonly near?: (surface: Surface) => readonly (readonly number[])[];
+  /** Every how many rows and columns a pixel is looked at. */
+  readonly stride?: number;
+}
+
+/** Compares every pixel whose view is at least 0.25 (cosine) off the silhouette. */
+export function comparePixels(
+  pixels: Float32Array,
+  surfaces: SurfaceBuffers,
+  { at, near, stride = 1 }: Expectation,
+): Comparison {
+  let [count, jumps, worst, where] = [0, 0, 0, ''];
+  for (let y = 0; y < SIZE; y += stride) {
+    for (let x = 0; x < SIZE; x += stride) {
+      const surface = surfaceAt(surfaces, x, y);
+      if (!surface || dot(surface.V, surface.frame.N) < 0.25) continue;
+      const expected = at(surface);
+      if (!expected) continue;
+      count++;
+      const got = [0, 1, 2].map((c) => pixels[(y * SIZE + x) * 4 + c] as number);
+      const differences = got.map((value, c) => difference(value, expected[c] as number));
+      const most = Math.max(...differences.map((d) => (Number.isNaN(d) ? Number.POSITIVE_INFINITY : d)));
+      if (most > 1e-3 && near && isBetween(got, near(surface))) {
+        jumps++;
+      } else if (most > worst) {
+        worst = most;
+        where = `pixel ${x}, ${y}: ${got} is not ${expected}`;
+      }
+    }
+  }
+  return { count, jumps, worst, where };
+}
+
+const difference = (got: number, expected: number) => Math.abs(got - expected) / Math.max(expected, 1e-3);
+
+/** Whether every component is between those of the values, or within 1e-3 of that. */
+const isBetween = (got: readonly number[], values: readonly (readonly number[])[]) =>
+  got.every((value, c) => {
+    const all = values.map((v) => v[c] as number);
+    return value >= Math.min(...all) * (1 - 1e-3) && value <= Math.max(...all) * (1 + 1e-3);
+  });
+
+export const dot = (a: Vector3, b: Vector3) => a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+
+/** Draws a case and compares it with the shading equation for a light from one direction. */
 export async function compareSphere(
   renderer: THREE.WebGPURenderer,
   geometry: THREE.BufferGeometry,
@@ -244,28 +296,13 @@ export async function compareSphere(
   const pixels = await drawSphere(renderer, geometry, material, light.create());
   material.dispose();
   const evaluator = createEvaluator(model, values);
-  let [count, worst, where] = [0, 0, ''];
-  for (let y = 0; y < SIZE; y++) {
-    for (let x = 0; x < SIZE; x++) {
-      const surface = surfaceAt(surfaces, x, y);
-      if (!surface) continue;
-      const { point, V, frame } = surface;
-      const cosine = (w: Vector3) => w.reduce((sum, c, i) => sum + c * (frame.N[i] as number), 0);
-      if (cosine(V) < 0.25 || light.jumps?.(point)) continue;
+  return comparePixels(pixels, surfaces, {
+    at: ({ point, V, frame }) => {
+      if (light.jumps?.(point)) return null;
       const arriving = light.arrives(point);
-      const cosTheta = arriving ? Math.max(cosine(arriving.l), 0) : 0;
-      const f = arriving && cosTheta > 0 ? evaluator.f(arriving.l, V, frame) : [0, 0, 0];
-      count++;
-      for (let c = 0; c < 3; c++) {
-        const expected = (f[c] as number) * (arriving?.E ?? 0) * cosTheta;
-        const got = pixels[(y * SIZE + x) * 4 + c] as number;
-        const difference = Math.abs(got - expected) / Math.max(expected, 1e-3);
-        if (difference > worst || Number.isNaN(difference)) {
-          worst = Number.isNaN(difference) ? Number.POSITIVE_INFINITY : difference;
-          where = `pixel ${x}, ${y}, channel ${c}: ${got} is not ${expected}`;
-        }
-      }
-    }
-  }
-  return { count, worst, where };
+      const cosTheta = arriving ? dot(arriving.l, frame.N) : 0;
+      if (!arriving || cosTheta <= 0) return [0, 0, 0];
+      return evaluator.f(arriving.l, V, frame).map((f) => f * arriving.E * cosTheta);
+    },
+  });
 }

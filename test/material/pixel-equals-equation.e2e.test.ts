@@ -1,19 +1,30 @@
 import { expect, test } from 'vitest';
 import { pageHarness } from '../support/page.ts';
-import type { CaseResult } from './lit-sphere.page.ts';
+import { albedoCurve, BROAD_LIGHTS } from './broad-light.ts';
+import type { CaseResult, Order } from './lit-sphere.page.ts';
 import { LIGHT_CASES, MATERIAL_CASES } from './lit-sphere.ts';
 
+/** Three of the materials: the fourth, a rough one, differs from them by less than they do from one another. */
+const curves = Object.fromEntries(
+  ['lambert', 'cook-torrance', 'principled, smooth'].map((name) => [name, albedoCurve(name)]),
+);
 const harness = await pageHarness(new URL('./lit-sphere.page.ts', import.meta.url));
 
 test.each([
   ['webgpu', false],
   ['webgl', true],
 ])('in the browser on %s, every pixel is the shading equation', async (name, forceWebGL) => {
-  const { backend, results } = await harness.run<{ backend: string; results: CaseResult[] }>({ forceWebGL });
+  const { backend, results } = await harness.run<{ backend: string; results: CaseResult[] }>({
+    forceWebGL,
+    curves,
+  } satisfies Order);
   expect(backend).toBe(name);
-  expect(results).toHaveLength(Object.keys(LIGHT_CASES).length * Object.keys(MATERIAL_CASES).length);
-  for (const { light, material, count, worst, where } of results) {
-    expect(count).toBeGreaterThan(3000);
+  const fromOneDirection = Object.keys(LIGHT_CASES).length * Object.keys(MATERIAL_CASES).length;
+  const fromMany = Object.keys(BROAD_LIGHTS).length * Object.keys(curves).length;
+  expect(results).toHaveLength(fromOneDirection + fromMany);
+  for (const { light, material, count, jumps, worst, where } of results) {
+    expect(count).toBeGreaterThan(light in LIGHT_CASES ? 3000 : 800);
+    expect(jumps / count).toBeLessThan(0.05);
     expect(worst, `${material} under ${light}: ${where}`).toBeLessThan(1e-3);
   }
 });
