@@ -3,6 +3,7 @@ import { BrdfError, type SourcePlace } from './error.ts';
 import { BRDF_LIMITS, clip } from './limits.ts';
 import type { BrdfFile, SourceLine } from './model.ts';
 import { parseParameters } from './parameters.ts';
+import { parseTransmission } from './transmission.ts';
 
 export interface ParseOptions {
   /** The text of an included file, by the path written in `::include`; undefined if there is none. */
@@ -101,6 +102,7 @@ export function parseBrdf(text: string, fileName: string, options: ParseOptions 
     title: firstSentence(documentation) || name,
     documentation,
     declarations: parseDeclarations(header, parameters),
+    transmission: parseTransmission(header, parameters),
     parameters,
     shader: { lines: shaderText },
     sampling: samplingText && { lines: samplingText },

@@ -7,6 +7,9 @@ const uint LIGHTS_ALONE = 2u;
 
 // Paths may end by chance from this depth on.
 const int ROULETTE_DEPTH = 3;
+const int ROULETTE_STEPS = 16;
+// A path in a white medium without an end must end.
+const int MAX_STEPS = 4096;
 
 vec3 pathAlbedo;
 vec3 pathNormal;
@@ -28,6 +31,41 @@ void addLight(vec3 light, int depth, float limit) {
 vec3 surfaceBRDF(uint model, vec3 L) {
   vec3 f = modelBRDF(model, L);
   return vec3(f.x > 0.0 ? f.x : 0.0, f.y > 0.0 ? f.y : 0.0, f.z > 0.0 ? f.z : 0.0);
+}
+
+// Whether L may leave the surface: both normals must have it on one side, and that side must be open.
+bool isSameSide(float cosine, vec3 L) {
+  if (cosine == 0.0 || (cosine < 0.0 && !surfaceTransmits)) return false;
+  return dot(surfaceFacetNormal, L) * cosine > 0.0;
+}
+
+vec3 leavingOrigin(bool isBelow) {
+  return offsetOrigin(surfacePosition, isBelow ? -surfaceFacetNormal : surfaceFacetNormal);
+}
+
+// Passes through the surface into or out of its body.
+void crossSurface(uint model) {
+  if (surfaceIsThin) return;
+  if (!surfaceIsFront) {
+    leaveMedium(surfaceMaterial);
+    return;
+  }
+  vec3 extinction = modelExtinction(model);
+  vec3 albedo = vec3(0.0);
+  if (largest(extinction) > 0.0) {
+    vec3 scattering = modelScattering(model);
+    // Absorption is what is left, and cannot be less than none (OpenPBR 1.1, "Transmission").
+    vec3 absorption = extinction - scattering;
+    float least = min(absorption.x, min(absorption.y, absorption.z));
+    if (least < 0.0) extinction -= vec3(least);
+    albedo = scattering / max(extinction, vec3(1e-20));
+  }
+  enterMedium(surfaceMaterial, surfaceIor, extinction, albedo, modelAnisotropy(model));
+}
+
+// Takes crossSurface() back: it added or removed the top alone. @param count the media before it
+void uncrossSurface(int count) {
+  mediumCount = count;
 }
 
 // Rectangle lights along a ray of the given density: they are seen in reflections and hide nothing.
@@ -54,35 +92,43 @@ void addRectangles(vec3 o, vec3 d, float density, vec3 N, uint strategy, int dep
       float ofLight = finiteLightProbability(loadUint4(slot).w, o, N) * distance * distance / (cosine * side.w);
       weight = balance(density, ofLight);
     }
-    addLight(loadFloat4(slot + 1).xyz * (weight * fogTransmittance(o, d, distance)), depth, limit);
+    addLight(loadFloat4(slot + 1).xyz * spaceTransmittance(o, d, distance) * weight, depth, limit);
   }
 }
 
-// Light that reaches a vertex straight from a light. @param g in fog, where it is at P: the phase function's;
-// d is then the way that the path came
-void addDirectLight(bool isFog, vec3 P, vec3 d, float g, uint model, uint strategy, int depth, float limit) {
-  vec3 N = isFog ? vec3(0.0) : surfaceN;
+// Light that reaches a vertex straight from a light. @param isSpace whether P is in a medium, not on the surface; d is
+// then the way that the path came
+void addDirectLight(bool isSpace, vec3 P, vec3 d, uint model, uint strategy, int depth, float limit) {
+  vec3 N = isSpace ? vec3(0.0) : surfaceN;
   if (!sampleLight(P, N)) return;
   vec3 share;
   float density = 0.0;
   vec3 o = P;
-  if (isFog) {
-    density = phase(dot(d, lightDirection), g);
+  bool isBelow = false;
+  if (isSpace) {
+    density = phase(dot(d, lightDirection), spaceAnisotropy);
     share = vec3(density);
   } else {
     float cosine = dot(N, lightDirection);
-    if (cosine <= 0.0 || dot(surfaceFacetNormal, lightDirection) <= 0.0) return;
-    share = surfaceBRDF(model, lightDirection) * cosine;
+    isBelow = cosine < 0.0;
+    if (!isSameSide(cosine, lightDirection)) return;
+    share = surfaceBRDF(model, lightDirection) * abs(cosine);
     if (largest(share * lightRadiance) <= 0.0) return;
     if (!lightIsDelta && strategy == BOTH) density = modelPdf(model, lightDirection);
-    o = offsetOrigin(P, surfaceFacetNormal);
+    o = leavingOrigin(isBelow);
   }
   float weight = lightIsDelta || strategy != BOTH ? 1.0 : balance(lightDensity, density);
   // Not as far as the light, which would be in its own shadow.
   float visible = traceShadow(o, lightDirection, lightDistance * 0.9999);
   if (visible <= 0.0) return;
-  visible *= fogTransmittance(o, lightDirection, lightDistance);
-  addLight(share * lightRadiance * (weight * visible / lightDensity), depth + 1, limit);
+  // Beyond the surface is another medium.
+  int inside = mediumCount;
+  if (isBelow) crossSurface(model);
+  findSpace();
+  vec3 transmittance = spaceTransmittance(o, lightDirection, lightDistance);
+  if (isBelow) uncrossSurface(inside);
+  findSpace();
+  addLight(share * lightRadiance * transmittance * (weight * visible / lightDensity), depth + 1, limit);
 }
 
 // One path. @param d a unit vector
@@ -90,7 +136,7 @@ vec3 tracePath(vec3 o, vec3 d) {
   int maxDepth = int(loadUint4(16).z);
   uint strategy = loadUint4(21).x;
   float limit = loadFloat4(22).x;
-  vec4 fog = loadFloat4(7);
+  mediumCount = 0;
   pathRadiance = vec3(0.0);
   pathThroughput = vec3(1.0);
   pathAlbedo = vec3(0.0);
@@ -101,23 +147,18 @@ vec3 tracePath(vec3 o, vec3 d) {
   float density = 0.0;
   vec3 N = vec3(0.0);
   int depth = 0;
+  int steps = 0;
   while (true) {
     bool isHit = traceRay(o, d);
     bool isCameraRay = depth == 0;
     bool seesLights = !isCameraRay && strategy != LIGHTS_ALONE;
+    findSpace();
     if (seesLights) addRectangles(o, d, density, N, strategy, depth, limit);
+    pathThroughput *= crossSpace(pathThroughput, spaceSegment(o, d, hitDistance));
+    bool isSpace = scatterDistance >= 0.0;
+    if (isSpace) o += d * scatterDistance;
 
-    // In fog a path may scatter before it gets anywhere. Choosing the distance by the transmittance leaves the
-    // albedo alone.
-    bool isFog = false;
-    if (fog.x > 0.0) {
-      vec2 segment = fogSegment(o, d, hitDistance);
-      float free = segment.x - log(1.0 - random1()) / fog.x;
-      isFog = free < segment.y;
-      if (isFog) o += d * free;
-    }
-
-    if (!isFog && !isHit) {
+    if (!isSpace && !isHit) {
       if (isCameraRay) addLight(backgroundRadiance(d), depth, limit);
       else if (seesLights && loadUint4(2).w != NONE) {
         float weight = strategy == BOTH ? balance(density, skyLightDensity(d)) : 1.0;
@@ -127,12 +168,20 @@ vec3 tracePath(vec3 o, vec3 d) {
     }
 
     uint model = 0u;
-    if (isFog) {
+    if (isSpace) {
       if (isCameraRay) pathAlpha = 1.0;
-      pathThroughput *= loadFloat4(8).xyz;
     } else {
       loadSurface(d);
       model = loadUint4(surfaceMaterial).x;
+      // A body's surface inside another, entered later, is not there.
+      if (surfaceTransmits && !surfaceIsThin && !surfaceIsFront && mediumCount > 0
+          && mediumMaterial[mediumCount - 1] != surfaceMaterial) {
+        leaveMedium(surfaceMaterial);
+        o = leavingOrigin(true);
+        steps++;
+        if (steps > MAX_STEPS) break;
+        continue;
+      }
       if (isCameraRay) {
         pathAlpha = 1.0;
         pathDistance = hitDistance;
@@ -145,33 +194,39 @@ vec3 tracePath(vec3 o, vec3 d) {
         addLight(emitted * weight, depth, limit);
       }
     }
-    if (depth >= maxDepth) break;
-    vec3 P = isFog ? o : surfacePosition;
-    if (strategy != DIRECTIONS_ALONE) addDirectLight(isFog, P, d, fog.y, model, strategy, depth, limit);
+    // Inside a body light may scatter as often as it likes: what looks like one surface takes hundreds of turns.
+    bool isInside = isSpace && mediumCount > 0;
+    if (depth >= maxDepth && !isInside) break;
+    vec3 P = isSpace ? o : surfacePosition;
+    if (strategy != DIRECTIONS_ALONE) addDirectLight(isSpace, P, d, model, strategy, depth, limit);
 
-    if (isFog) {
-      vec3 scattered = samplePhase(random2(), d, fog.y);
-      density = phase(dot(d, scattered), fog.y);
+    if (isSpace) {
+      vec3 scattered = samplePhase(random2(), d, spaceAnisotropy);
+      density = phase(dot(d, scattered), spaceAnisotropy);
       d = scattered;
       N = vec3(0.0);
     } else {
       vec3 L = modelSample(model, random2());
       float cosine = dot(surfaceN, L);
-      if (cosine <= 0.0 || dot(surfaceFacetNormal, L) <= 0.0) break;
+      bool isBelow = cosine < 0.0;
+      if (!isSameSide(cosine, L)) break;
       density = modelPdf(model, L);
       // Not only against 0: a NaN ends the path, too.
       if (!(density > 0.0)) break;
-      vec3 share = surfaceBRDF(model, L) * (cosine / density);
+      vec3 share = surfaceBRDF(model, L) * (abs(cosine) / density);
       if (isCameraRay) pathAlbedo = min(share, vec3(1.0));
       pathThroughput *= share;
-      o = offsetOrigin(surfacePosition, surfaceFacetNormal);
+      o = leavingOrigin(isBelow);
+      if (isBelow) crossSurface(model);
       d = L;
       N = surfaceN;
     }
-    depth++;
+    steps++;
+    if (steps > MAX_STEPS) break;
+    if (!isInside) depth++;
     float most = largest(pathThroughput);
     if (!(most > 0.0)) break;
-    if (depth > ROULETTE_DEPTH) {
+    if (depth > ROULETTE_DEPTH || steps > ROULETTE_STEPS) {
       float survival = min(most, 0.95);
       if (random1() >= survival) break;
       pathThroughput = pathThroughput / survival;

@@ -10,3 +10,11 @@ vec3 modelBRDF(uint model, vec3 L);
 vec3 modelSample(uint model, vec2 u);
 float modelPdf(uint model, vec3 L);
 void readParameters(int slot, int count);
+// Of models that let light through: the index of refraction, which is read as the body's own and set to the far
+// side's over the near side's; whether the surface is a sheet; and what fills the body.
+float modelIor(uint model);
+void setModelIor(uint model, float ior);
+bool modelIsThin(uint model);
+vec3 modelExtinction(uint model);
+vec3 modelScattering(uint model);
+float modelAnisotropy(uint model);

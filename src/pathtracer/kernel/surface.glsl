@@ -8,10 +8,18 @@ vec3 surfaceY;
 vec3 surfaceV;            // towards where the ray came from, never below the shading normal's horizon
 vec4 surfaceUv;
 bool surfaceIsFront;
+bool surfaceTransmits;     // L may be on the other side
+bool surfaceIsThin;        // that side is no inside
+float surfaceIor;          // of the body
 int surfaceMaterial;      // slot
 
 // As in the interactive renderer (shading-frame.ts): the models are 0 below the horizon.
 const float LEAST_COSINE = 1e-4;
+
+const uint TRANSMITS = 16u;
+
+// The index of refraction around a body of this material; in media.glsl.
+float surroundingIor(int material);
 
 // The slots of a triangle's three vertices.
 ivec3 triangleVertices(uvec4 mesh, uint triangle) {
@@ -133,6 +141,13 @@ void loadSurface(vec3 d) {
   surfaceV = N * lift - d;
   readParameters(int(head.z), int(head.w));
   setParameters(head.x);
+  surfaceTransmits = (head.y & TRANSMITS) != 0u;
+  if (surfaceTransmits) {
+    surfaceIsThin = modelIsThin(head.x);
+    surfaceIor = max(modelIor(head.x), 1e-3);
+    float around = surroundingIor(surfaceMaterial);
+    if (!surfaceIsThin) setModelIor(head.x, surfaceIsFront ? surfaceIor / around : around / surfaceIor);
+  }
 }
 
 // What the surface emits towards the ray, in nits.

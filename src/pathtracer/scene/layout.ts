@@ -34,6 +34,8 @@ export const NODE_SLOTS = 7;
 export const NODE_WIDTH = 4;
 /** The slot of a node's children; the six before it hold the bounds. */
 export const NODE_CHILDREN = 6;
+/** No traversal of one tree needs a longer stack. */
+export const STACK_ENTRIES = 96;
 export const LEAF = 0x80000000;
 
 export const BLOCK_SLOTS = 10;
@@ -51,7 +53,7 @@ export const INSTANCE_FLAGS = { mirrors: 1 } as const;
 
 export const MATERIAL_SLOTS = 5;
 export const MATERIAL = { model: 0, emission: 1, scales: 2, textures: 3, channels: 4 } as const;
-export const MATERIAL_FLAGS = { doubleSided: 1, mask: 2, blend: 4, emits: 8 } as const;
+export const MATERIAL_FLAGS = { doubleSided: 1, mask: 2, blend: 4, emits: 8, transmits: 16 } as const;
 
 /** In a parameter's w: the channel is above the slot of its texture use. */
 export const CHANNEL_SHIFT = 29;

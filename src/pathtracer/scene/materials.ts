@@ -1,6 +1,9 @@
 import { resolveParameters } from '../../brdf/values.ts';
+import { createEvaluator } from '../../glsl/evaluator.ts';
 import type { Model } from '../../glsl/model.ts';
+import { highlightAlpha } from '../../material/generic-sampler.ts';
 import type { Material, ScaledTextureRef } from '../../scene/schema.ts';
+import { parameterSlots } from '../kernel.ts';
 import { CHANNEL_SHIFT, CHANNELS, MATERIAL, MATERIAL_FLAGS, MATERIAL_SLOTS } from './layout.ts';
 import type { Texels } from './texels.ts';
 import { luminance, type Texture, type TextureTable } from './textures.ts';
@@ -26,10 +29,15 @@ export interface Emission {
 }
 
 /** Null if the material does not shine. */
-export function emissionOf({ material }: UsedMaterial, textures: TextureTable): Emission | null {
+export function emissionOf({ material, model }: UsedMaterial, textures: TextureTable): Emission | null {
   const radiance = radianceOf(material);
   if (luminance(...radiance) === 0) return null;
-  return { radiance, map: textures.find(material.emissiveMap), doubleSided: material.doubleSided };
+  return { radiance, map: textures.find(material.emissiveMap), doubleSided: showsBacks(material, model) };
+}
+
+/** Light inside a transparent body meets its surface from behind. */
+function showsBacks({ doubleSided }: Material, { file }: Model): boolean {
+  return doubleSided || file.transmission !== null;
 }
 
 function radianceOf({ emissive, emissiveIntensity, emissiveMap }: Material): Rgb {
@@ -64,12 +72,13 @@ function writeMaterial(
   // As three.js has it: a cutoff of 0 cuts nothing off.
   const masked = alphaMode === 'mask' && alphaCutoff > 0;
   const flags =
-    (material.doubleSided ? MATERIAL_FLAGS.doubleSided : 0) |
+    (showsBacks(material, model) ? MATERIAL_FLAGS.doubleSided : 0) |
+    (model.file.transmission ? MATERIAL_FLAGS.transmits : 0) |
     (masked ? MATERIAL_FLAGS.mask : 0) |
     (alphaMode === 'blend' ? MATERIAL_FLAGS.blend : 0) |
     (luminance(...radiance) > 0 ? MATERIAL_FLAGS.emits : 0);
   const parameters = writeParameters(words, material, model, textures, wordOf);
-  words.setUints(slot + MATERIAL.model, modelIndex, flags, parameters, model.parameters.length);
+  words.setUints(slot + MATERIAL.model, modelIndex, flags, parameters, parameterSlots(model));
   words.setFloats(
     slot + MATERIAL.emission,
     ...radiance,
@@ -100,7 +109,7 @@ function writeParameters(
   wordOf: (texels: Texels) => number,
 ): number {
   const values = resolveParameters(model.file, parameters);
-  const first = words.allocate(model.parameters.length);
+  const first = words.allocate(parameterSlots(model));
   for (const [i, { name, type }] of model.parameters.entries()) {
     const value = values[name] ?? 0;
     words.setFloats(first + i, ...(typeof value === 'object' ? value : [Number(value)]));
@@ -109,5 +118,7 @@ function writeParameters(
     const channel = type === 'color' ? CHANNELS.rgb : CHANNELS[refs[name]?.channel ?? 'r'];
     words.setUint(first + i, 3, (texture | (channel << CHANNEL_SHIFT)) >>> 0);
   }
+  if (!model.hasSampling)
+    words.setFloats(first + model.parameters.length, highlightAlpha(createEvaluator(model, parameters)));
   return first;
 }

@@ -242,7 +242,7 @@ async function assemble(scene: Scene, maxBytes: number, pace: Pace): Promise<Pac
   header.setUints(HEADER.instances, tree.root, instanceSlot, materialSlot, instances.length);
   header.setUints(HEADER.lights, lights.slot, lights.root, lights.finite, table);
   header.setUints(HEADER.infiniteLights, lights.infiniteSlot, lights.infinite, sky, lights.sky);
-  header.setUints(HEADER.models, modelSlot);
+  header.setUints(HEADER.models, modelSlot, lights.rectangles);
   writeSurroundings(header, document, boxes);
 
   const length = places.words + words.length;
@@ -263,6 +263,8 @@ async function assemble(scene: Scene, maxBytes: number, pace: Pace): Promise<Pac
 
 interface WrittenLights {
   readonly slot: number;
+  /** The first so many are rectangles. */
+  readonly rectangles: number;
   readonly finite: number;
   readonly infiniteSlot: number;
   readonly infinite: number;
@@ -277,7 +279,10 @@ interface WrittenLights {
 async function writeLights(words: Words, scene: Scene, pace: Pace): Promise<WrittenLights> {
   const { document, instances, materials, textures, distribution } = scene;
   const records = Object.values(document.lights).flatMap((light) => lightRecord(light) ?? []);
-  const near = records.filter(({ bounds }) => bounds !== null);
+  // Rectangles come first: they are looked for along rays (kernel/integrator.glsl).
+  const isRectangle = ({ type }: LightRecord) => type === LIGHT_TYPES.rectangle;
+  const rectangles = records.filter(isRectangle);
+  const near = [...rectangles, ...records.filter((record) => record.bounds !== null && !isRectangle(record))];
   const far = records.filter(({ bounds }) => bounds === null);
   if (distribution.integral > 0) far.push(SKY_LIGHT);
   const tree: TreeLight[] = [];
@@ -303,7 +308,16 @@ async function writeLights(words: Words, scene: Scene, pace: Pace): Promise<Writ
   const root = await writeLightTree(words, tree, pace, (light, trail) =>
     words.setUint(lightSlot(slot, light), 3, trail),
   );
-  return { slot, finite, infiniteSlot, infinite: far.length, root, sky: sky < 0 ? NONE : sky, firstOf };
+  return {
+    slot,
+    rectangles: rectangles.length,
+    finite,
+    infiniteSlot,
+    infinite: far.length,
+    root,
+    sky: sky < 0 ? NONE : sky,
+    firstOf,
+  };
 }
 
 const SKY_LIGHT: LightRecord = { type: LIGHT_TYPES.sky, a: 0, slots: [], bounds: null };
