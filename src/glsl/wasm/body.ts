@@ -1,4 +1,4 @@
-import { type Code, globalGet, localGet } from './code.ts';
+import { type Bytes, type Code, globalGet, localGet } from './code.ts';
 import {
   BLOCK,
   BR,
@@ -38,8 +38,11 @@ export class Body {
     this.parameters = parameters.length;
   }
 
-  push(bytes: readonly number[]): void {
-    for (const byte of bytes) this.bytes.push(byte);
+  push(bytes: Bytes): void {
+    for (const byte of bytes) {
+      if (typeof byte === 'number') this.bytes.push(byte);
+      else this.push(byte);
+    }
   }
 
   /** A local that is free until the present scope ends. */
@@ -147,21 +150,19 @@ export class Body {
    * @param stack the global that holds the stack's end
    */
   finish(results: readonly Code[], stack: number): { locals: readonly WasmType[]; bytes: number[] } {
-    const enter: number[] = [];
-    const leave: number[] = [];
+    const written = this.bytes;
+    this.bytes = [];
+    const set = [GLOBAL_SET, ...unsigned(stack)];
     if (this.frameLocals) {
       const { base, saved } = this.frameLocals;
-      const set = [GLOBAL_SET, ...unsigned(stack)];
-      enter.push(...globalGet(stack, 'i32').bytes, LOCAL_SET, ...unsigned(saved));
-      enter.push(...localGet(saved, 'i32', true).bytes, I32_CONST, ...signed(this.frameSize));
-      enter.push(...opcode('i32.sub'), LOCAL_SET, ...unsigned(base));
-      enter.push(...localGet(base, 'i32', true).bytes, ...set);
-      leave.push(...localGet(saved, 'i32', true).bytes, ...set);
+      this.push([globalGet(stack, 'i32').bytes, LOCAL_SET, unsigned(saved)]);
+      this.push([localGet(saved, 'i32', true).bytes, I32_CONST, signed(this.frameSize), opcode('i32.sub')]);
+      this.push([LOCAL_SET, unsigned(base), localGet(base, 'i32', true).bytes, set]);
     }
-    const values = results.flatMap((code) => code.bytes as number[]);
-    return {
-      locals: this.types.slice(this.parameters),
-      bytes: [...enter].concat(this.bytes, values, leave, [END]),
-    };
+    this.push(written);
+    this.push(results.map(({ bytes }) => bytes));
+    if (this.frameLocals) this.push([localGet(this.frameLocals.saved, 'i32', true).bytes, set]);
+    this.push([END]);
+    return { locals: this.types.slice(this.parameters), bytes: this.bytes };
   }
 }

@@ -192,7 +192,7 @@ function power(body: Body, cell: Code, n: number): Code {
 function callMath(unit: Unit, name: string, arg: Code): Code {
   const call: Code = {
     type: 'f64',
-    bytes: [...op('f64.promote_f32', arg).bytes, CALL, -1 - unit.math(name)],
+    bytes: [op('f64.promote_f32', arg).bytes, CALL, -1 - unit.math(name)],
     cost: Number.POSITIVE_INFINITY,
     stable: false,
     constant: null,

@@ -11,14 +11,16 @@ import {
   type WasmType,
 } from './opcodes.ts';
 
+/** Instructions, those of parts as lists of their own. A negative number -k is the function with symbol k - 1. */
+export type Bytes = readonly (number | Bytes)[];
+
 /**
  * Instructions that push one value and change nothing. They may be written later than they were made, once;
  * whoever needs the value twice, or before something changes what they read, puts it into a local (body.ts).
  */
 export interface Code {
   readonly type: WasmType;
-  /** A negative number -k stands for the index of the function with symbol k - 1 (module.ts). */
-  readonly bytes: readonly number[];
+  readonly bytes: Bytes;
   /** About the number of instructions; infinite if it must run only where the program says so. */
   readonly cost: number;
   /** A single instruction whose value stays the same: a constant, or a local that nothing assigns. */
@@ -66,8 +68,9 @@ export function v128(lanes: readonly number[], kind: 'f32' | 'i32'): Code {
 
 /** A constant as it lies in memory. */
 export function constantBytes(code: Code): readonly number[] {
-  if (code.type === 'v128') return code.bytes.slice(2);
-  return code.type === 'f32' ? code.bytes.slice(1) : int32Bytes(code.constant as number);
+  // That of a whole number is written with a varying length.
+  if (code.type === 'i32') return int32Bytes(code.constant as number);
+  return code.bytes.slice(code.type === 'v128' ? 2 : 1) as readonly number[];
 }
 
 export function localGet(index: number, type: WasmType, stable: boolean): Code {
@@ -98,7 +101,7 @@ export function op(name: string, ...args: readonly Code[]): Code {
 }
 
 function withImmediate(name: string, immediate: readonly number[], args: readonly Code[]): Code {
-  const bytes = args.flatMap((arg) => arg.bytes as number[]).concat(opcode(name), immediate);
+  const bytes = [...args.map((arg) => arg.bytes), opcode(name), immediate];
   const cost = args.reduce(
     (sum, arg) => sum + arg.cost,
     DEAR.test(name) ? DEAR_COST : FREE.test(name) ? 0 : 1,
@@ -119,7 +122,7 @@ export function shuffle(a: Code, b: Code, lanes: readonly number[]): Code {
   const bytes = lanes.flatMap((lane) => [4 * lane, 4 * lane + 1, 4 * lane + 2, 4 * lane + 3]);
   return {
     type: 'v128',
-    bytes: [...a.bytes, ...b.bytes, 0xfd, 0x0d, ...bytes],
+    bytes: [a.bytes, b.bytes, 0xfd, 0x0d, ...bytes],
     cost: a.cost + b.cost + 1,
     stable: false,
     constant: null,
@@ -140,7 +143,7 @@ export function select(test: Code, yes: Code, no: Code): Code {
   }
   return {
     type: yes.type,
-    bytes: [...yes.bytes, ...no.bytes, ...test.bytes, SELECT],
+    bytes: [yes.bytes, no.bytes, test.bytes, SELECT],
     cost: yes.cost + no.cost + test.cost + 1,
     stable: false,
     constant: null,
@@ -151,7 +154,7 @@ export function select(test: Code, yes: Code, no: Code): Code {
 export function load(type: WasmType, address: Code, offset: number, cost: number): Code {
   return {
     type,
-    bytes: [...address.bytes, ...LOAD[type], ...unsigned(offset)],
+    bytes: [address.bytes, ...LOAD[type], ...unsigned(offset)],
     cost: address.cost + cost,
     stable: false,
     constant: null,

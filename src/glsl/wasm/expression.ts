@@ -203,7 +203,7 @@ export abstract class ExpressionWriter {
     const [first] = yes[1];
     if (yes[1].length === 1 && first && yes[0].length + no[0].length === 0) {
       const [other] = no[1] as readonly [Code];
-      const bytes = [...test.bytes, IF, TYPE_CODES[first.type], ...first.bytes, ELSE, ...other.bytes, END];
+      const bytes = [test.bytes, IF, TYPE_CODES[first.type], first.bytes, ELSE, other.bytes, END];
       return [{ type: first.type, bytes, cost: Number.POSITIVE_INFINITY, stable: false, constant: null }];
     }
     const results = yes[1].map(({ type }) => ({ index: this.body.local(type), type }));

@@ -1,6 +1,6 @@
 import { componentCount, type ScalarName, scalarOf, type Type, vector } from '../types.ts';
 import type { Body } from './body.ts';
-import { type Code, i32, load, localGet, op, replaceLane, select } from './code.ts';
+import { type Bytes, type Code, i32, load, localGet, op, replaceLane, select } from './code.ts';
 import { cellsOf, scalarCell, sizeOf } from './layout.ts';
 import { LOCAL_SET, SIZES, STORE, unsigned } from './opcodes.ts';
 import { components, compose } from './vectors.ts';
@@ -9,8 +9,8 @@ import { components, compose } from './vectors.ts';
 export interface Ref {
   readonly get: Code;
   /** The instructions before and after those of a value that is stored. */
-  readonly before: readonly number[];
-  readonly after: readonly number[];
+  readonly before: Bytes;
+  readonly after: Bytes;
 }
 
 /** Where a variable or a part of it is kept: cell by cell, or in memory. */
