@@ -8,6 +8,7 @@ import { packageVersion } from './package-root.ts';
 const COMMANDS: Readonly<Record<string, () => Promise<{ default: Command }>>> = {
   serve: () => import('./commands/serve.ts'),
   render: () => import('./commands/render.ts'),
+  merge: () => import('./commands/merge.ts'),
   'brdf list': () => import('./commands/brdf-list.ts'),
   'brdf show': () => import('./commands/brdf-show.ts'),
   'brdf eval': () => import('./commands/brdf-eval.ts'),
