@@ -1,3 +1,4 @@
+import { NODE_WIDTH, STACK_ENTRIES } from './layout.ts';
 import type { Pace } from './pace.ts';
 
 /**
@@ -21,10 +22,10 @@ const BINS = 16;
 /** Nodes with fewer items are handled without looking at the clock, nor waiting for promises. */
 const SMALL = 4096;
 /**
- * Levels beyond those of a balanced tree. Boxes in geometric progression would be peeled off one by one, and the
- * kernel's stack is as deep as the tree: what gets too deep is halved instead.
+ * Boxes in geometric progression would be peeled off one by one, and the kernel's stack is as deep as the tree: what
+ * gets this deep is halved instead. Nodes of four leave up to three siblings on the stack at each of these levels.
  */
-const SLACK = 12;
+const DEEPEST = Math.floor(STACK_ENTRIES / (NODE_WIDTH - 1));
 
 /** Bounds of boxes and of their centres, which are kept doubled: minimum + maximum. */
 class Bounds {
@@ -267,7 +268,6 @@ export async function buildBinaryTree(
   if (items === 0) return { nodes: 0, boxes: nodes.boxes, first: nodes.first, count: nodes.count, order };
   const [bounds, bins] = [new Bounds(), new Bins()];
   const levels = (count: number): number => Math.ceil(Math.log2(Math.max(1, count / leaf)));
-  const deepest = levels(items) + SLACK;
   let done = 0;
 
   const pending: [node: number, from: number, to: number, depth: number][] = [[nodes.add(), 0, items, 0]];
@@ -291,7 +291,7 @@ export async function buildBinaryTree(
     bins.begin(bounds.centres, count);
     if (count <= SMALL) bins.add(boxes, from, to);
     else await pace.each(from, to, (a, b) => bins.add(boxes, a, b));
-    const split = depth + levels(count) < deepest ? bins.best(leaf) : null;
+    const split = depth + levels(count) < DEEPEST ? bins.best(leaf) : null;
     // Halves of whole leaves, in whatever order the items are: they are all in one place, or there are too many levels.
     let middle = from + leaf * Math.ceil(count / 2 / leaf);
     if (split !== null) middle = partition(boxes, order, from, to, split);

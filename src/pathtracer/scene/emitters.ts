@@ -19,8 +19,9 @@ import type { Words } from './words.ts';
 
 type Point = [number, number, number];
 
-/** Texels that are looked at for the mean of a triangle, at most. */
-const MOST_SAMPLES = 256;
+/** Points that are looked at for the mean over a triangle: as many as it has texels, within these bounds. */
+const LEAST_SAMPLES = 32;
+const MOST_SAMPLES = 512;
 
 /**
  * Writes a light for each triangle of an instance that shines; triangles without area are left dark. Adds those with
@@ -101,7 +102,7 @@ function crossOf(a: Point, b: Point, c: Point): Point {
   return [y1 * z2 - z1 * y2, z1 * x2 - x1 * z2, x1 * y2 - y1 * x2];
 }
 
-/** The mean of a texture's luminance over a triangle, from as many points as it has texels. */
+/** The mean of a texture's luminance over a triangle. */
 function meanSampler(
   mesh: PackedMesh,
   floats: Float32Array,
@@ -126,7 +127,7 @@ function meanSampler(
     ];
     const [u1, v1, u2, v2] = [b[0] - a[0], b[1] - a[1], c[0] - a[0], c[1] - a[1]];
     const covered = (texels * Math.abs(u1 * v2 - u2 * v1)) / 2;
-    const samples = Math.ceil(Math.min(Math.max(covered, 4), MOST_SAMPLES)) || 4;
+    const samples = Math.ceil(Math.min(Math.max(covered, LEAST_SAMPLES), MOST_SAMPLES));
     let sum = 0;
     for (let i = 0; i < samples; i += 1) {
       // M. Roberts, 2018, "The Unreasonable Effectiveness of Quasirandom Sequences", folded into the triangle.

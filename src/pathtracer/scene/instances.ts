@@ -15,12 +15,14 @@ export interface Placement {
 
 /** What is flattened gets this part of its greatest scale as its thickness: a plane's transform must have an inverse. */
 const LEAST_SCALE = 1e-5;
+/** What is scaled to less is a point: its transform's inverse would be beyond what a float32 can reckon with. */
+const VANISHING = 1e-12;
 
 /** Where an object is; null if it is flattened to a line or a point, of which nothing can be seen. */
 export function placementOf({ position, rotation, scale }: SceneObject): Placement | null {
   const greatest = Math.max(...scale.map(Math.abs));
   const least = greatest * LEAST_SCALE;
-  if (scale.filter((s) => Math.abs(s) < least).length > 1 || greatest === 0) return null;
+  if (scale.filter((s) => Math.abs(s) < least).length > 1 || greatest < VANISHING) return null;
   const [x, y, z] = rotation.map(MathUtils.degToRad) as [number, number, number];
   const toWorld = new Matrix4().compose(
     new Vector3(...position),

@@ -35,7 +35,7 @@ export interface PackedMesh {
 export function leastMeshBytes(triangles: number, vertices: number): number {
   const blocks = Math.ceil(triangles / BLOCK_TRIANGLES);
   const slots = blocks * (BLOCK_SLOTS + NODE_SLOTS / (NODE_WIDTH - 1)) + 2 * vertices;
-  return 4 * (slots * WORDS_PER_SLOT + 3 * triangles);
+  return 4 * (Math.ceil(slots) * WORDS_PER_SLOT + 3 * triangles);
 }
 
 const nodesAt = MESH_SLOTS;

@@ -5,9 +5,15 @@ const SLICE_MS = 20;
 /** Items of a loop that are handled between two looks at the clock. */
 const SLICE_ITEMS = 32_768;
 
+/**
+ * Node's way to let others have their turn: there a message would come before any timer. In pages messages it is:
+ * timers are slowed down when they are nested, and in hidden pages.
+ */
+const { setImmediate } = globalThis as { setImmediate?: (callback: () => void) => void };
+
 export class Pace {
   readonly #signal: AbortSignal | undefined;
-  readonly #channel = new MessageChannel();
+  readonly #channel = setImmediate === undefined ? new MessageChannel() : null;
   #until = performance.now() + SLICE_MS;
 
   /** @param signal ends the work: rest() then throws its reason */
@@ -20,11 +26,14 @@ export class Pace {
     return performance.now() >= this.#until;
   }
 
-  /** Resolves in a later task. Messages are not slowed down as timers are, in hidden pages and when nested. */
+  /** Resolves in a later task, when others have had theirs. */
   async rest(): Promise<void> {
     await new Promise<void>((resolve) => {
-      this.#channel.port1.onmessage = () => resolve();
-      this.#channel.port2.postMessage(null);
+      if (this.#channel === null) setImmediate?.(resolve);
+      else {
+        this.#channel.port1.onmessage = () => resolve();
+        this.#channel.port2.postMessage(null);
+      }
     });
     this.#signal?.throwIfAborted();
     this.#until = performance.now() + SLICE_MS;
@@ -38,8 +47,7 @@ export class Pace {
     }
   }
 
-  /** Ends it; an open channel would keep Node alive. */
   end(): void {
-    this.#channel.port1.close();
+    this.#channel?.port1.close();
   }
 }
