@@ -1,4 +1,4 @@
-import { mkdtempSync, writeFileSync } from 'node:fs';
+import { mkdtempSync, readFileSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { beforeAll, describe, expect, test } from 'vitest';
@@ -61,6 +61,30 @@ describe('brdf check', () => {
     const { code, stdout } = await irradia(['brdf', 'check', 'lambert', '--backend', 'gpu']);
     expect(code).toBe(0);
     expect(stdout).toMatch(/^GPU = float64 +pass +differs by /m);
+  });
+
+  test('draws a law over two parameters', async () => {
+    const words = ['brdf', 'check', 'cook-torrance', '--map'];
+    const csv = join(folder, 'map.csv');
+    const { code, stdout } = await irradia([...words, 'roughness,ior', '-o', csv]);
+    expect(code).toBe(0);
+    expect(stdout).toMatch(/^energy of cook-torrance: worst 0\.\d+ at roughness \S+, ior \S+, v \[/);
+    expect(readFileSync(csv, 'utf8').split('\n')).toHaveLength(1 + 24 * 24 + 1);
+    const png = join(folder, 'map.png');
+    expect((await irradia([...words, 'main', '-o', png])).code).toBe(0);
+    expect(readFileSync(png).subarray(1, 4).toString()).toBe('PNG');
+    for (const [more, message] of [
+      [['roughness', '-o', csv], '--map roughness: expected two parameters with a comma between, or main'],
+      [
+        ['roughness,albedo', '-o', csv],
+        "--map roughness,albedo: cook-torrance has no number 'albedo'; it has",
+      ],
+      [['main'], '--map: expected -o FILE, a .svg, .png, .csv'],
+      [['main', '-o', csv, '--law', 'gravity'], '--law gravity: expected energy or reciprocity'],
+    ] as const) {
+      const { code: refused, stderr } = await irradia([...words, ...more]);
+      expect([refused, stderr.slice(0, 9 + message.length)]).toEqual([2, `irradia: ${message}`]);
+    }
   });
 
   test('says what is wrong with a call or a header', async () => {

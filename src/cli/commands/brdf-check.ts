@@ -1,12 +1,13 @@
 import { checkModel } from '../../analysis/verdict/verdict.ts';
 import { type Command, UsageError } from '../command.ts';
 import { gpuEvaluation } from '../eval/gpu-evaluation.ts';
+import { writeHeatMap } from '../heat-map-file.ts';
 import { modelArgument, modelFiles } from '../model-argument.ts';
 import { progressLine } from '../progress.ts';
 import { verdictTable } from '../verdict-table.ts';
 
 const command: Command = {
-  usage: 'brdf check MODEL|FILE [--json] [--backend cpu|gpu]',
+  usage: 'brdf check MODEL|FILE [--json] [--backend cpu|gpu] [--map A,B -o FILE]',
   summary: 'Holds a model to physics: energy, reciprocity, its sampler and more.',
   details: [
     'Searches all parameters and directions for the worst case of each law, and says what it means. The exit',
@@ -18,11 +19,26 @@ const command: Command = {
     '  --json      as JSON: {"model", "sound", "checks": [{"property", "outcome", "figure", "figureText",',
     '              "sentence", "worst": {"term", "parameters", "l", "v"}}]}',
     '  --backend   gpu: compares a GPU, or the software one, with float64 as well; cpu is the default',
+    '  --map       instead of the verdict, a map of one law over two parameters: their names with a comma, or main',
+    '              for those that matter most. The others are at their defaults, colours white.',
+    '  --law       of the map: energy, the largest albedo (the default), or reciprocity',
+    '  -o FILE     of the map: .svg, .png or .csv',
   ],
-  options: { json: { type: 'boolean' }, backend: { type: 'string', default: 'cpu' } },
+  options: {
+    json: { type: 'boolean' },
+    backend: { type: 'string', default: 'cpu' },
+    map: { type: 'string' },
+    law: { type: 'string', default: 'energy' },
+    output: { type: 'string', short: 'o' },
+  },
   arguments: { least: 1, most: 1 },
-  async run({ arguments: [word = ''], options: { json, backend } }) {
+  async run({ arguments: [word = ''], options: { json, backend, map, law, output } }) {
     const model = modelArgument(word);
+    if (typeof map === 'string') {
+      console.log(await writeHeatMap(model, { axes: map, law, output }));
+      return 0;
+    }
+    if (output !== undefined) throw new UsageError('-o is for --map');
     if (backend !== 'cpu' && backend !== 'gpu')
       throw new UsageError(`--backend ${backend}: expected cpu or gpu`);
     const gpu = backend === 'gpu' ? await gpuEvaluation(model) : null;
