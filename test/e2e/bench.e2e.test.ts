@@ -10,10 +10,27 @@ import { type LabPage, openLab } from './lab.ts';
 const lab = await openLab();
 let page: LabPage;
 
+const tooBright = `analytic
+# Lambert, and up to twice as much light as comes in
+::begin parameters
+float gain 0 2 1
+::end parameters
+::begin shader
+vec3 BRDF(vec3 L, vec3 V, vec3 N, vec3 X, vec3 Y) {
+    return vec3(gain / 3.14159265358979);
+}
+::end shader
+`;
+
 const scene = {
   format: 'irradia',
   version: 1,
-  materials: { gloss: { name: 'Gloss', model: 'cook-torrance', parameters: { roughness: 0.4 } } },
+  materials: {
+    gloss: { name: 'Gloss', model: 'cook-torrance', parameters: { roughness: 0.4 } },
+    bright: { name: 'Bright', model: 'too bright' },
+  },
+  models: { 'too bright': { source: tooBright } },
+  lights: { sun: { type: 'directional', name: 'Sun', position: [0, 4, 0], target: [0, 0, 0] } },
   objects: { ball: { name: 'Ball', material: 'gloss', geometry: { type: 'sphere' } } },
 };
 
@@ -158,6 +175,113 @@ describe('the bench', () => {
     await page.page.waitForSelector('.bench-progress', { state: 'hidden' });
     expect((await table()).rows).toHaveLength(128 ** 2);
     expect((await exported('SVG')).bytes.toString()).toContain('data:image/png;base64,');
+  });
+
+  describe('the views over two angles', () => {
+    const settle = async () => {
+      await plot();
+      await page.page.waitForSelector('.bench-progress', { state: 'hidden' });
+      await plot();
+    };
+    const roughness = async (value: string) => {
+      await page.page.fill('[data-parameter=roughness] .number input', value);
+      await page.page.keyboard.press('Enter');
+    };
+
+    it.each([
+      ['lobe', 'theta_l_deg,phi_l_deg', '<polygon'],
+      ['phi', 'phi_l_deg', '<polyline'],
+      ['sweep', 'roughness,theta_v_deg', '<polyline'],
+      ['map', 'phi_l_deg,theta_l_deg', '<image'],
+      ['sphere', 'x,y', '<image'],
+      ['object', 'x,y', '<image'],
+    ])('%s draws, follows a slider, and exports', async (view, head, mark) => {
+      await roughness('0.5');
+      await page.page.click(`[data-view=${view}]`);
+      await settle();
+      const before = await plot();
+      await roughness('0.2');
+      await settle();
+      expect(await plot()).not.toBe(before);
+      const data = await table();
+      expect(data.head.join()).toMatch(new RegExp(`^${head},"Gloss red"`));
+      expect(data.rows.length).toBeGreaterThan(50);
+      expect((await exported('SVG')).bytes.toString()).toContain(mark);
+    });
+
+    it('turns the lobe with the keys and with the mouse, and moves l by its handle', async () => {
+      await page.page.click('[data-view=lobe]');
+      await settle();
+      const pictures = [await plot()];
+      await page.page.focus('.bench-plot');
+      await page.page.keyboard.press('ArrowRight');
+      pictures.push(await plot());
+      const box = await page.page.locator('.bench-plot').boundingBox();
+      if (!box) throw new Error('no plot');
+      await page.page.mouse.move(box.x + 12, box.y + box.height - 12);
+      await page.page.mouse.down();
+      await page.page.mouse.move(box.x + 50, box.y + box.height - 12);
+      await page.page.mouse.up();
+      pictures.push(await plot());
+      expect(new Set(pictures).size).toBe(3);
+
+      await page.page.click('[data-view=sphere]');
+      const angle = () => page.page.inputValue('[data-bench=thetaL] .number input');
+      const first = await angle();
+      await page.page.focus('.bench-plot');
+      await page.page.keyboard.press('ArrowUp');
+      await plot();
+      expect(Number(await angle())).toBe(Number(first) + 1);
+    });
+
+    it('keeps l and the light of the scene in step, as one undo step', async () => {
+      const light = async () => Object.values((await page.document()).lights)[0];
+      const before = await light();
+      await page.page.click('[data-bench=light] .switch');
+      await plot();
+      // The light of the scene stands in the zenith: l goes there.
+      expect(Number(await page.page.inputValue('[data-bench=thetaL] .number input'))).toBe(0);
+      await page.page.focus('.bench-plot');
+      for (let i = 0; i < 3; i++) await page.page.keyboard.press('Shift+ArrowUp');
+      await plot();
+      const [x = 0, y = 0] = (await light())?.position ?? [];
+      expect(Math.atan2(Math.abs(x), y) * (180 / Math.PI)).toBeCloseTo(30, 6);
+      await page.page.click('[data-bench=light] .switch');
+      await page.page.keyboard.press('Control+z');
+      expect(await light()).toEqual(before);
+    });
+
+    it('fills the page with six views by its key, each of its own choice', async () => {
+      await page.page.keyboard.press('Shift+B');
+      await settle();
+      expect(await page.page.locator('.bench-plot').count()).toBe(6);
+      await page.page.selectOption('[aria-label="View 1"]', 'polar');
+      await page.page.selectOption('[aria-label="View 2"]', 'thetaD');
+      await settle();
+      const drawn = await page.page.evaluate<string[]>(
+        `[...document.querySelectorAll('.bench-plot')].map((canvas) => canvas.toDataURL())`,
+      );
+      expect(new Set(drawn).size).toBe(6);
+      expect((await exported('CSV')).name).toBe('Gloss-thetaD.csv');
+      await page.page.keyboard.press('Shift+B');
+      await plot();
+      expect(await page.page.locator('.bench-plot').count()).toBe(1);
+    });
+  });
+
+  it('says where a model breaks physics, and shows it', async () => {
+    await page.select('materials', 'bright');
+    await page.page.click('[data-view=verdict]');
+    const energy = page.page.locator('.verdict-list [data-property=energy]');
+    await energy.waitFor();
+    expect(await energy.getAttribute('data-outcome')).toBe('fail');
+    expect(await energy.innerText()).toContain('albedo up to 2');
+    await page.page.click('[aria-label="Show the worst case of Conserves energy"]');
+    const { parameters } = (await page.document()).materials.bright ?? {};
+    expect(parameters).toEqual({ gain: 2 });
+    expect(await page.page.getAttribute('[data-view=lobe]', 'aria-selected')).toBe('true');
+    await page.page.keyboard.press('Control+z');
+    expect((await page.document()).materials.bright?.parameters).toEqual({});
   });
 
   it('reported no error', async () => {

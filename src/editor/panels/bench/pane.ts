@@ -37,6 +37,11 @@ export function createPane({ wantFrame, change }: PaneActions): PlotPane {
   let probe: Probe | null = null;
   let held: { handle: Handle; from: Point } | null = null;
 
+  /** What is drawn next builds on it: several keys or moves can come before the next frame. */
+  const apply = (patch: Partial<PaneSettings>) => {
+    if (shown) shown = { ...shown, settings: { ...shown.settings, ...patch } };
+    change(patch);
+  };
   const size = () => ({ width: element.clientWidth, height: element.clientHeight });
   const view = () => shown && viewInfo[shown.settings.view].view;
   const pointOf = (event: PointerEvent): Point => [event.offsetX, event.offsetY];
@@ -54,7 +59,7 @@ export function createPane({ wantFrame, change }: PaneActions): PlotPane {
     if (held) {
       const to: Point = held.handle === 'turn' ? [at[0] - held.from[0], at[1] - held.from[1]] : at;
       held = { ...held, from: at };
-      change(view()?.drag?.(shown, width, height, to, held.handle) ?? {});
+      apply(view()?.drag?.(shown, width, height, to, held.handle) ?? {});
     }
     wantFrame();
   };
@@ -81,7 +86,7 @@ export function createPane({ wantFrame, change }: PaneActions): PlotPane {
     if (!arrow || !shown || !keys || event.ctrlKey || event.metaKey || event.altKey) return;
     event.preventDefault();
     const step = event.shiftKey ? 10 : 1;
-    change(keys(shown.settings, arrow[0] * step, arrow[1] * step));
+    apply(keys(shown.settings, arrow[0] * step, arrow[1] * step));
   });
   new ResizeObserver(wantFrame).observe(element);
 

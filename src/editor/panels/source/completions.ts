@@ -61,9 +61,9 @@ function declarationsOf(text: string, from: string): Offer[] {
 const libraries = [...modelSources].filter(([path]) => path.startsWith('lib/'));
 let libraryOffers: readonly Offer[] | null = null;
 
-/** By name; overloads are one. */
+/** By name, the first of each: overloads are one, and a parameter hides a function. */
 function unique(offers: readonly Offer[]): Offer[] {
-  return [...new Map(offers.map((offer) => [offer.label, offer])).values()];
+  return [...new Map([...offers].reverse().map((offer) => [offer.label, offer])).values()];
 }
 
 /**
@@ -71,18 +71,8 @@ function unique(offers: readonly Offer[]): Offer[] {
  */
 export function offersInGlsl(text: string, parameters: readonly Parameter[]): Offer[] {
   libraryOffers ??= libraries.flatMap(([path, library]) => declarationsOf(library, `::include ${path}`));
+  const model = 'The model: 1/sr, without the cosine.';
   return unique([
-    ...builtinNames().map((label): Offer => ({ label, kind: 'function', detail: ' GLSL' })),
-    ...TYPES.map((label): Offer => ({ label, kind: 'type' })),
-    ...KEYWORDS.map((label): Offer => ({ label, kind: 'keyword' })),
-    {
-      label: 'BRDF',
-      kind: 'function',
-      detail: `(${SIGNATURE}) vec3`,
-      info: 'The model: 1/sr, without the cosine.',
-    },
-    ...libraryOffers,
-    ...declarationsOf(text, ''),
     ...parameters.map(
       ({ name, type, description }): Offer => ({
         label: name,
@@ -91,6 +81,12 @@ export function offersInGlsl(text: string, parameters: readonly Parameter[]): Of
         info: description,
       }),
     ),
+    ...declarationsOf(text, ''),
+    ...libraryOffers,
+    { label: 'BRDF', kind: 'function', detail: `(${SIGNATURE}) vec3`, info: model },
+    ...builtinNames().map((label): Offer => ({ label, kind: 'function', detail: ' GLSL' })),
+    ...TYPES.map((label): Offer => ({ label, kind: 'type' })),
+    ...KEYWORDS.map((label): Offer => ({ label, kind: 'keyword' })),
   ]);
 }
 
