@@ -102,6 +102,23 @@ export function setParameter(
   );
 }
 
+/** Sets several of a model's parameters in one step; the others stay. */
+export function setParameters(
+  store: DocumentStore,
+  material: string,
+  label: string,
+  values: Readonly<Record<string, ParameterValue>>,
+): void {
+  const { model, name } = entity(store.document, 'materials', material);
+  const checked = Object.entries(values).map(
+    ([key, value]) => [key, checkValue(model, parameterOf(store.document, material, key), value)] as const,
+  );
+  store.edit(`${name}: ${label}`, (draft) => {
+    const { parameters } = entity(draft, 'materials', material);
+    for (const [key, value] of checked) parameters[key] = typeof value === 'object' ? [...value] : value;
+  });
+}
+
 /** Sets or, with null, takes away the texture of a model's parameter. */
 export function setTexture(
   store: DocumentStore,

@@ -1,6 +1,8 @@
 /** Measured BRDFs and saved parameters come to the page. */
 import { describe, expect, it } from 'vitest';
+import { writeCsail } from '../io/csail-writer.ts';
 import { writeMerl } from '../io/merl-writer.ts';
+import { writeRgl } from '../io/rgl-writer.ts';
 import { type LabPage, openLab } from './lab.ts';
 
 const lab = await openLab();
@@ -82,6 +84,57 @@ describe('a dropped MERL file', () => {
     await page.waitForToast('text.binary was not opened');
     expect((await page.toasts()).join()).toContain('not a MERL BRDF');
     expect(await page.document()).toEqual(before);
+    expect(page.errors).toEqual([]);
+  });
+});
+
+describe.each([
+  [
+    'foil.bsdf',
+    () => writeRgl((L, V) => [0.3 * L[2] * V[2], 0.05, 0.1], { thetas: 4, resolution: 8 }),
+    'not a tensor file',
+  ],
+  [
+    'satin.dat',
+    () => writeCsail((L, V) => [0.05, 0.3 * L[2] * V[2], 0.1], { bins: [6, 6, 12, 8] }),
+    'not a CSAIL BRDF',
+  ],
+] as const)('a dropped %s', (name, write, fault) => {
+  it('becomes the model of the selected material and shows', async () => {
+    const id = await firstMaterial();
+    const before = await page.picture();
+    await page.drop([{ name, content: write() }]);
+    await page.waitForToast(`is now ${name.split('.')[0]}`);
+    expect(await materialModel(id)).toBe(name.split('.')[0]);
+    expect((await page.picture()).hash).not.toBe(before.hash);
+    await page.page.keyboard.press('Control+z');
+    await page.page.keyboard.press('Control+z');
+    expect(await page.picture()).toEqual(before);
+    expect(page.errors).toEqual([]);
+  });
+
+  it('that is no such file says so, and changes nothing', async () => {
+    const before = await page.document();
+    await page.drop([{ name: `text.${name.split('.')[1]}`, content: 'this is no BRDF' }]);
+    await page.waitForToast(`text.${name.split('.')[1]} was not opened`);
+    expect((await page.toasts()).join()).toContain(fault);
+    expect(await page.document()).toEqual(before);
+  });
+});
+
+describe('a substance in the inspector', () => {
+  it('sets what the model needs in one step, and shows which one it is', async () => {
+    const id = await firstMaterial();
+    await page.select('materials', id);
+    await page.page.selectOption('select[aria-label="Model"]', 'principled');
+    const choice = page.page.locator('select[aria-label="Substance"]');
+    const before = (await page.document()).materials[id];
+    await choice.selectOption('gold');
+    expect((await page.document()).materials[id]?.parameters).toMatchObject({ metallic: 1 });
+    expect(await choice.inputValue()).toBe('gold');
+    await page.page.keyboard.press('Control+z');
+    expect((await page.document()).materials[id]).toEqual(before);
+    expect(await choice.inputValue()).toBe('');
     expect(page.errors).toEqual([]);
   });
 });

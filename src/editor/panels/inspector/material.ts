@@ -18,6 +18,7 @@ import { type Cell, pathCell } from './cell.ts';
 import { type Bound, labelOf, shapeFields } from './field.ts';
 import { mapRows } from './maps.ts';
 import type { InspectorPanel } from './panel.ts';
+import { substanceRow } from './substance.ts';
 import { textureSlot } from './texture-slot.ts';
 
 /** The panel has to be made anew when this changes. */
@@ -39,7 +40,9 @@ export function materialPanel(session: Session, id: string): InspectorPanel {
 
   const choice = modelChoice(session, id);
   bound.push(choice);
+  const substance = substanceRow(session, id, model?.parameters ?? []);
   const parameters = (model?.parameters ?? []).map((parameter) => parameterRow(session, id, parameter));
+  if (substance) parameters.unshift(substance);
   bound.push(...parameters);
 
   const maps = mapRows(session, id);
