@@ -3,21 +3,27 @@ import { encodePng } from '../io/png.ts';
 import { type Radiance, RealtimeRenderer, type Size } from '../realtime/renderer.ts';
 import { AssetLoader } from '../scene/assets.ts';
 import { SceneMirror } from '../scene/mirror.ts';
-import type { Document } from '../scene/schema.ts';
+import type { Camera, Document } from '../scene/schema.ts';
 import { CliError } from './command.ts';
 import type { DeviceChoice } from './gpu.ts';
 import { nodeAssets } from './node-assets.ts';
 import { createNodeRenderer } from './node-renderer.ts';
 
 export interface FrameOptions extends Size {
-  format: 'png' | 'exr';
-  device: DeviceChoice;
-  /** Goes into the EXR's header. */
-  software: string;
+  readonly format: 'png' | 'exr';
+  readonly device: DeviceChoice;
 }
 
-/** One frame of a document by the interactive renderer, as a file. */
-export async function renderFrame(document: Document, options: FrameOptions): Promise<Uint8Array> {
+export interface Frames {
+  /** What draws, for a person to read. */
+  readonly device: string;
+  /** @returns a file. @param attributes go into its header */
+  draw(camera: Camera, attributes: Readonly<Record<string, string | number>>): Promise<Uint8Array>;
+  dispose(): void;
+}
+
+/** A document, ready to be drawn by the interactive renderer from any camera. */
+export async function openFrames(document: Document, options: FrameOptions): Promise<Frames> {
   const { width, height, format } = options;
   const node = await createNodeRenderer(options);
   const largest = node.gpu.device.limits.maxTextureDimension2D;
@@ -32,9 +38,19 @@ export async function renderFrame(document: Document, options: FrameOptions): Pr
   const renderer = new RealtimeRenderer(node.renderer, settings);
   const view = { ...document.view, resolutionScale: scale };
   await renderer.compile(mirror, view, options);
-  renderer.render(mirror, view, options);
-  if (format === 'png') return encodePng(await renderer.readImage(view), width, height);
-  return encodeExr(exrImage(await renderer.readRadiance(), options.software));
+  return {
+    device: node.gpu.adapter.info.description,
+    async draw(camera, attributes) {
+      mirror.apply({ ...document, camera });
+      renderer.render(mirror, view, options);
+      if (format === 'png') return encodePng(await renderer.readImage(view), width, height, attributes);
+      return encodeExr({ ...exrImage(await renderer.readRadiance()), attributes });
+    },
+    dispose() {
+      mirror.dispose();
+      node.dispose();
+    },
+  };
 }
 
 /** Samples per pixel along each side for floats, which GPUs do not multisample. */
@@ -52,7 +68,7 @@ async function mirrorOf(document: Document): Promise<SceneMirror> {
   return mirror;
 }
 
-function exrImage(radiance: Radiance, software: string): ExrImage {
+function exrImage(radiance: Radiance): ExrImage {
   const width = radiance.width / SUPERSAMPLING;
   const height = radiance.height / SUPERSAMPLING;
   const channels = ['R', 'G', 'B'].map((name, channel) => ({
@@ -60,7 +76,7 @@ function exrImage(radiance: Radiance, software: string): ExrImage {
     type: 'float' as const,
     pixels: averaged(radiance, channel, width, height),
   }));
-  return { width, height, channels, attributes: { software } };
+  return { width, height, channels };
 }
 
 /** One channel, each pixel the mean of its samples. */

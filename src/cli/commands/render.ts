@@ -6,10 +6,9 @@ import type { Document } from '../../scene/schema.ts';
 import { CliError, type Command } from '../command.ts';
 import { readInput } from '../files.ts';
 import { modelArgument, modelFiles } from '../model-argument.ts';
-import { packageVersion } from '../package-root.ts';
 import { previewDocument } from '../preview.ts';
 import { AOVS, DEFAULTS, parseRenderOptions, renderOptions } from '../render/options.ts';
-import { checkWritable, saveWhole } from '../render/save.ts';
+import { checkWritable } from '../render/save.ts';
 import { sceneArgument } from '../scene-argument.ts';
 
 const command: Command = {
@@ -52,13 +51,9 @@ const command: Command = {
     checkWritable(options.output, `-o ${options.output}`);
     const document = await documentFor(word);
     // three.js is loaded only now that the call is known to be right.
-    if (options.renderer === 'pathtracer')
-      return (await import('../render/path-traced.ts')).pathTraced(document, options);
-    const { renderFrame } = await import('../frame.ts');
-    const software = `Irradia ${packageVersion()}`;
-    const file = await renderFrame(document, { ...options, software });
-    saveWhole(options.output, `-o ${options.output}`, file);
-    return 0;
+    return options.renderer === 'pathtracer'
+      ? (await import('../render/path-traced.ts')).pathTraced(document, options)
+      : (await import('../render/realtime.ts')).realtime(document, options);
   },
 };
 

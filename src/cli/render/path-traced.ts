@@ -1,28 +1,22 @@
 /** Path traced pictures: one, or the frames of an animation. */
 import type { Document } from '../../scene/schema.ts';
 import { CliError } from '../command.ts';
-import { packageVersion } from '../package-root.ts';
 import { Interruption } from './interruption.ts';
+import { say } from './messages.ts';
 import { checkFilmSize, type RenderOptions } from './options.ts';
-import { type PassesResult, renderPasses, type Until } from './passes.ts';
+import { type PassesResult, renderPasses } from './passes.ts';
 import { filmToExr, radianceToPng } from './picture.ts';
+import { planned } from './plan.ts';
 import { ProgressBar } from './progress-bar.ts';
-import { documentHash, type RenderRecord } from './record.ts';
-import { checkWritable, savePicture } from './save.ts';
-import { type Shot, shotsOf, whyRender } from './shots.ts';
+import type { RenderRecord } from './record.ts';
+import { savePicture } from './save.ts';
+import type { Shot } from './shots.ts';
 import { createMachine, loadScene, type Machine } from './tracer.ts';
 
 /** @returns the exit code */
 export async function pathTraced(document: Document, options: RenderOptions): Promise<number> {
   checkFilmSize(options);
-  checkWritable(options.output, `-o ${options.output}`);
-  const hash = documentHash(document);
-  const plans = shotsOf(document, options).map((shot) => ({
-    shot,
-    record: recordOf(document, hash, shot, options),
-  }));
-  const open = options.animation === null ? plans : plans.filter((plan) => isOpen(plan, options));
-  if (open.length < plans.length) say(`${plans.length - open.length} of ${plans.length} frames are there`);
+  const open = planned(document, options);
   if (open.length === 0) return 0;
 
   const interruption = new Interruption();
@@ -40,7 +34,7 @@ export async function pathTraced(document: Document, options: RenderOptions): Pr
     }
     for (const { shot, record } of open) {
       if (interruption.signal.aborted) {
-        say('interrupted: nothing was written');
+        say(`interrupted: ${shot.path} was not begun`);
         break;
       }
       await renderShot(machine, shot, record, options, interruption.signal);
@@ -50,43 +44,6 @@ export async function pathTraced(document: Document, options: RenderOptions): Pr
     machine.tracer.dispose();
     interruption.dispose();
   }
-}
-
-const say = (text: string): void => void process.stderr.write(`irradia: ${text}\n`);
-
-function isOpen({ shot, record }: { shot: Shot; record: RenderRecord }, options: RenderOptions): boolean {
-  const why = whyRender(shot.path, record, options);
-  if (why !== null && why !== 'missing') say(`${shot.path} is rendered anew: ${why}`);
-  return why !== null;
-}
-
-function recordOf(
-  document: Document,
-  hash: string,
-  { camera, seed }: Shot,
-  { until, first, maxDepth, clamp }: RenderOptions,
-): RenderRecord {
-  return {
-    renderer: 'pathtracer',
-    version: packageVersion(),
-    document: hash,
-    camera: JSON.stringify(camera),
-    seed,
-    maxDepth,
-    clamp,
-    strategy: 'mis',
-    name: document.name,
-    samples: [],
-    until: untilText(until, first),
-    device: '',
-    exposure: document.view.exposure,
-    toneMapping: document.view.toneMapping,
-  };
-}
-
-function untilText(until: Until, first: number): string {
-  if (until.kind === 'samples') return `samples ${first}:${first + until.count}`;
-  return until.kind === 'time' ? `time ${until.seconds}` : `error ${until.error}`;
 }
 
 async function renderShot(
@@ -128,8 +85,8 @@ async function renderShot(
 function report({ stopped, samples }: PassesResult, path: string, isWritten: boolean): void {
   if (stopped === null) return;
   const what = isWritten
-    ? `${path} has the ${samples} samples that were finished`
-    : `${path} was not written`;
+    ? `${path} has what was finished, ${samples} ${samples === 1 ? 'sample' : 'samples'} of each pixel`
+    : `${path} was not finished and not written`;
   if (stopped !== 'signal') throw new CliError(`${stopped.message}; ${what}`, { cause: stopped });
   say(`interrupted: ${what}`);
 }

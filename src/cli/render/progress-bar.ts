@@ -64,7 +64,7 @@ export class ProgressBar {
   #figures({ samples, seconds, part, error }: PassesState): string {
     const asked = this.#until.kind === 'samples' && part < 1 ? ` of ${this.#until.count}` : '';
     const done = Number.isInteger(samples) || samples >= 10 ? Math.floor(samples) : samples.toFixed(1);
-    const parts = [`${done}${asked} samples`];
+    const parts = [`${done}${asked} ${asked === '' && samples === 1 ? 'sample' : 'samples'}`];
     if (seconds > 0) parts.push(`${rate((samples * this.#pixels) / seconds)} Mpaths/s`);
     parts.push(duration(seconds));
     if (part > 0 && part < 1) parts.push(`${duration((seconds * (1 - part)) / part)} left`);

@@ -1,0 +1,37 @@
+import { DataTexture, FloatType, RenderTarget, RGBAFormat, UnsignedByteType } from 'three/webgpu';
+import { expect, test } from 'vitest';
+import { displayPixels, TONE_MAPPINGS } from '../../src/color/tone-mapping.ts';
+import { OutputPass } from '../../src/realtime/output-pass.ts';
+import { testRenderer } from '../support/gpu.ts';
+
+const SIDE = 64;
+const { renderer } = await testRenderer(SIDE, SIDE);
+
+/** Colours of all hues from black to far beyond white, and grays. */
+const radiance = new Float32Array(3 * SIDE * SIDE).map((_, i) => {
+  const [pixel, channel] = [Math.floor(i / 3), i % 3];
+  const [x, y] = [pixel % SIDE, Math.floor(pixel / SIDE)];
+  const luminance = 2 ** (-12 + (18 * y) / SIDE);
+  const hue = 1 + Math.cos(2 * Math.PI * (x / (SIDE - 8) - channel / 3));
+  return y === 0 ? 0 : luminance * (x < 8 ? 1 : hue);
+});
+
+test.each(TONE_MAPPINGS)('%s on the CPU is what the GPU shows', async (toneMapping) => {
+  const rgba = new Float32Array(4 * SIDE * SIDE).fill(1);
+  for (let i = 0; i < SIDE * SIDE; i++) rgba.set(radiance.subarray(3 * i, 3 * i + 3), 4 * i);
+  const texture = new DataTexture(rgba, SIDE, SIDE, RGBAFormat, FloatType);
+  texture.needsUpdate = true;
+  const view = { exposure: 0.7, toneMapping };
+  const pass = new OutputPass(texture);
+  const target = new RenderTarget(SIDE, SIDE, { type: UnsignedByteType, depthBuffer: false });
+  renderer.setRenderTarget(target);
+  pass.render(renderer, view);
+  renderer.setRenderTarget(null);
+  const shown = (await renderer.readRenderTargetPixelsAsync(target, 0, 0, SIDE, SIDE)) as Uint8Array;
+  const computed = displayPixels(radiance, view);
+  const difference = Math.max(...shown.map((value, i) => Math.abs(value - computed[i]!)));
+  expect(difference).toBeLessThanOrEqual(1);
+  expect(new Set(computed).size).toBeGreaterThan(200);
+  pass.dispose();
+  target.dispose();
+});
