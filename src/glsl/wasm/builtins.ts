@@ -14,7 +14,7 @@ import { compose, perCell, perComponent, prefixOf, splat, widen } from './vector
 /** GLSL's built-in functions on cells. */
 
 type Builtin = Extract<Expr, { kind: 'builtin' }>;
-export type Cells = readonly Code[];
+type Cells = readonly Code[];
 
 const RELATIONAL: Record<string, string> = {
   lessThan: '<',
@@ -133,17 +133,17 @@ export function builtin(unit: Unit, body: Body, e: Builtin, args: readonly Cells
 }
 
 /** An operation on floats, in one or four lanes as `like` has them. */
-export function float(like: Code, operation: string, ...args: readonly Code[]): Code {
+function float(like: Code, operation: string, ...args: readonly Code[]): Code {
   return op(`${prefixOf(like, 'float')}.${operation}`, ...args);
 }
 
 /** A float in as many lanes as another cell. */
-export function like(cell: Code, value: Code): Code {
+function like(cell: Code, value: Code): Code {
   return cell.type === 'v128' ? splat(value, 'float') : value;
 }
 
 /** min and max as GLSL defines them, by a comparison (where one is not a number, the first). */
-export function extreme(body: Body, which: 'min' | 'max', name: ScalarName, a: Code, b: Code): Code {
+function extreme(body: Body, which: 'min' | 'max', name: ScalarName, a: Code, b: Code): Code {
   const wide = a.type === 'v128';
   if (name === 'float') {
     if (wide) return op(`f32x4.p${which}`, a, b);

@@ -55,7 +55,7 @@ function cellArithmetic(operator: ArithmeticOperator, name: ScalarName, a: Code,
 }
 
 /** Whole division; by zero it gives the dividend, and a remainder of 0. */
-function divide(body: Body, operator: '/' | '%' | string, name: ScalarName, a: Code, b: Code): Code {
+function divide(body: Body, operator: '/' | '%', name: ScalarName, a: Code, b: Code): Code {
   const sign = name === 'uint' ? 'u' : 's';
   const instruction = `i32.${operator === '/' ? 'div' : 'rem'}_${sign}`;
   if (b.constant !== null && b.constant !== 0 && b.constant !== -1) return op(instruction, a, b);

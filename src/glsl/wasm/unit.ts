@@ -19,7 +19,11 @@ import {
 } from './opcodes.ts';
 import type { Place } from './places.ts';
 
-/** Functions of at most this many nodes, with all that they call, stand in the place of their calls. */
+/**
+ * Functions of at most this many nodes, with all that they call, stand in the place of their calls: V8 inlines
+ * none. The path tracer's speed on two scenes, for 0, 100, 200, 400 and 1000: 100 %, 113 and 120 %, 109 and
+ * 126 %, 114 and 134 %, 107 and 128 %.
+ */
 const MAX_INLINED = 400;
 
 const ALIGNMENT = 16;

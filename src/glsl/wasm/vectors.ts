@@ -1,7 +1,7 @@
 import { componentCount, type ScalarName, scalarOf, type Type } from '../types.ts';
 import type { Body } from './body.ts';
 import { type Code, extractLane, f32, i32, op, replaceLane, shuffle, v128 } from './code.ts';
-import { cellsOf, scalarCell } from './layout.ts';
+import { scalarCell } from './layout.ts';
 
 /** Vectors as cells (layout.ts): taken apart, put together and widened. */
 
@@ -130,11 +130,6 @@ export function sum(body: Body, cells: readonly Code[], type: Type): Code {
 export function dot(body: Body, a: readonly Code[], b: readonly Code[], type: Type): Code {
   const products = perCell([a, b], (x, y) => op(`${prefixOf(x, 'float')}.mul`, x, y));
   return sum(body, products, type);
-}
-
-/** Cells `start` to `start + count` of a larger value. */
-export function slice(cells: readonly Code[], start: number, type: Type): readonly Code[] {
-  return cells.slice(start, start + cellsOf(type).length);
 }
 
 export function one(cell: Code, name: ScalarName): Code {
