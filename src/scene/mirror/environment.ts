@@ -74,7 +74,8 @@ export class EnvironmentMirror {
     const old = this.#texture;
     this.#texture = texture;
     this.#scene.environment = texture;
-    if (old !== null && this.#scene.background === old) this.#scene.background = texture;
+    // The background is this texture, or the lack of one, unless it is a colour.
+    if (!(this.#scene.background instanceof THREE.Color)) this.#scene.background = texture;
     if (old === this.#constant) this.#constant = null;
     old?.dispose();
   }
