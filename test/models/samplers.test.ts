@@ -37,6 +37,13 @@ const MATERIALS: Readonly<Record<string, readonly ParameterValues[]>> = {
     { baseColor: [0, 0, 0], metallic: 1 },
     { subsurface: 1, clearcoat: 1, clearcoatGloss: 0 },
   ],
+  // An index below 1 is a body seen from inside.
+  dielectric: [{ roughness: 0.5 }, { roughness: 0.6, ior: 1 / 1.5 }],
+  'principled-bsdf': [
+    { specTrans: 0.6, roughness: 0.5, clearcoat: 1, clearcoatGloss: 0 },
+    { specTrans: 1, roughness: 0.6, ior: 1 / 1.4 },
+    { thin: true, specTrans: 0.3, diffTrans: 0.4, roughness: 0.6, sheen: 1 },
+  ],
 };
 
 const VIEWS: readonly Vec3[] = [direction(1, 0), direction(0.7, 0.5), direction(0.15, 4)];
@@ -51,11 +58,18 @@ const mirrorOf = (v: Vec3): Vec3 => [-v[0], -v[1], v[2]];
 
 describe.each(cases)('%s %s', (_name, _json, model, p) => {
   const evaluator = createEvaluator(model, p);
+  const transmits = model.file.transmission !== null;
 
   it.each(VIEWS)('samples as its density says, seen from %d %d %d', (...v) => {
     const { pValue, mass } = testSampler(
       { sample: (u) => evaluator.sampleL(u, v), pdf: (l) => evaluator.pdf(l, v) },
-      { samples: 6000, random: createRandom(41), cells: [8, 16], focus: [mirrorOf(v)] },
+      {
+        samples: 6000,
+        random: createRandom(41),
+        cells: transmits ? [16, 16] : [8, 16],
+        sphere: transmits,
+        focus: [mirrorOf(v)],
+      },
     );
     expect(pValue).toBeGreaterThan(level);
     expect(mass).toBeLessThan(1.0001);
@@ -70,7 +84,8 @@ describe.each(cases)('%s %s', (_name, _json, model, p) => {
       const squares = [0, 0, 0];
       for (let i = 0; i < count; i++) {
         const l = evaluator.sampleL([random(), random()], v);
-        if (!l) continue;
+        // The albedo is that of reflection.
+        if (!l || l[2] < 0) continue;
         const density = evaluator.pdf(l, v);
         for (const [c, f] of evaluator.f(l, v).entries()) {
           const weight = (f * l[2]) / density;
