@@ -62,10 +62,18 @@ function report(error: unknown): number {
   return error instanceof UsageError ? 2 : 1;
 }
 
+const USERS_FAULTS = new Set([
+  'BrdfError',
+  'BrdfParameterError',
+  'DocumentError',
+  'ByteError',
+  'GpuUnavailableError',
+  'PathTracerError',
+]);
+
 /** Errors of files, documents and models say by their names that their message is all there is to say. */
 function isUsersFault(error: Error): boolean {
-  const names = ['BrdfError', 'BrdfParameterError', 'DocumentError', 'ByteError', 'GpuUnavailableError'];
-  return names.includes(error.name) || 'syscall' in error;
+  return USERS_FAULTS.has(error.name) || 'syscall' in error;
 }
 
 // `irradia brdf list | head -1` closes the pipe early; that is no error.

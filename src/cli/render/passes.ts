@@ -16,6 +16,8 @@ export interface PassesOptions {
   /** Paths of a pass at most, if that is one sample of each pixel or more. */
   readonly pathsPerPass: number;
   readonly signal: AbortSignal;
+  /** Rejects when the machine is lost. */
+  readonly lost?: Promise<never>;
   onProgress?(state: PassesState): void;
 }
 
@@ -40,17 +42,24 @@ export interface PassesResult extends PassesState {
 const LEAST_SAMPLES_FOR_ERROR = 16;
 /** More than so many samples of a pixel are not summed in float32. */
 const MOST_SAMPLES_PER_PASS = 256;
-/** Seconds after which the film is looked at again: it is kept, in case the device is lost. */
-const CHECKPOINT_SECONDS = 5;
+/**
+ * The film is looked at when there are so many times the samples of the last look: reading it takes a GPU's time.
+ * It is kept, so that what a lost device had finished is not lost with it.
+ */
+const LOOK_FACTOR = { error: 1.25, otherwise: 2 } as const;
+/** A look comes after so many paths at the latest: some seconds of a fast GPU. */
+const MOST_PATHS_UNSEEN = 2 ** 29;
 
 export async function renderPasses(tracer: PathTracer, options: PassesOptions): Promise<PassesResult> {
-  const { first, until, signal, onProgress } = options;
+  const { first, until, pixels, signal, lost = NEVER, onProgress } = options;
   const start = performance.now();
   const elapsed = () => (performance.now() - start) / 1000;
+  const look = () => Promise.race([tracer.film(), lost]);
+  const factor = until.kind === 'error' ? LOOK_FACTOR.error : LOOK_FACTOR.otherwise;
   let done = 0;
-  let error = Number.POSITIVE_INFINITY;
+  let seen = 0;
   let kept: Film | null = null;
-  let looked = 0;
+  let error = Number.POSITIVE_INFINITY;
   let stopped: PassesResult['stopped'] = null;
   const state = (samples: number): PassesState => {
     const seconds = elapsed();
@@ -59,15 +68,16 @@ export async function renderPasses(tracer: PathTracer, options: PassesOptions): 
 
   for (let count = 1; count > 0; count = nextCount(options, done, elapsed(), error)) {
     try {
-      await tracer.render(first + done, count, {
+      const pass = tracer.render(first + done, count, {
         signal,
         onProgress: (part) => onProgress?.(state(done + part * count)),
       });
+      await Promise.race([pass, lost]);
       done += count;
-      if (until.kind === 'error' || elapsed() - looked >= CHECKPOINT_SECONDS) {
-        kept = await tracer.film();
+      if (done >= factor * seen || (done - seen) * pixels >= MOST_PATHS_UNSEEN) {
+        kept = await look();
+        seen = done;
         error = kept.relativeError();
-        looked = elapsed();
       }
     } catch (thrown) {
       stopped = signal.aborted ? 'signal' : thrown instanceof Error ? thrown : new Error(String(thrown));
@@ -75,11 +85,13 @@ export async function renderPasses(tracer: PathTracer, options: PassesOptions): 
     }
     onProgress?.(state(done));
   }
-  const film = done === 0 ? null : await tracer.film().catch(() => kept);
+  const film = done === 0 ? null : await look().catch(() => kept);
   const samples = film?.count[0] ?? 0;
   if (film) error = film.relativeError();
   return { ...state(samples), film, stopped };
 }
+
+const NEVER = new Promise<never>(() => {});
 
 /**
  * Samples of the next pass, 0 at the end: 1, 1, 2, 4, ..., which are the sets that the sampler spreads evenly, up to

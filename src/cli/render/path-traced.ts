@@ -41,13 +41,13 @@ export async function pathTraced(document: Document, options: RenderOptions): Pr
     }
     return interruption.exitCode;
   } finally {
-    machine.tracer.dispose();
+    machine.dispose();
     interruption.dispose();
   }
 }
 
 async function renderShot(
-  { tracer, pathsPerPass }: Machine,
+  { tracer, pathsPerPass, lost }: Machine,
   { path, camera, seed, title }: Shot,
   planned: RenderRecord,
   options: RenderOptions,
@@ -62,6 +62,7 @@ async function renderShot(
     pixels: width * height,
     pathsPerPass,
     signal,
+    lost,
     onProgress: (state) => bar.update(state),
   });
   bar.clear();

@@ -58,7 +58,7 @@ export class ProgressBar {
 
   #draw(text: string): void {
     this.#drawn = true;
-    this.#stream.write(`\r\x1b[K${text.slice(0, (this.#stream.columns ?? 80) - 1)}`);
+    this.#stream.write(`\r\x1b[K${text.slice(0, (this.#stream.columns || 80) - 1)}`);
   }
 
   #figures({ samples, seconds, part, error }: PassesState): string {

@@ -102,7 +102,8 @@ const FIELDS: Readonly<Record<keyof RenderIdentity, string>> = {
 /** The first field in which two renderings differ, with both values; null if they are parts of one. */
 export function difference(a: RenderIdentity, b: RenderIdentity): string | null {
   for (const [field, what] of Object.entries(FIELDS) as [keyof RenderIdentity, string][]) {
-    if (a[field] !== b[field]) return `${what}: ${shown(field, a[field])}, not ${shown(field, b[field])}`;
+    if (a[field] === b[field]) continue;
+    return field === 'camera' ? what : `${what}: ${shown(field, a[field])}, not ${shown(field, b[field])}`;
   }
   return null;
 }
