@@ -32,6 +32,7 @@ import { installShortcuts } from './shortcuts.ts';
 import { EditorStateStore, renderings } from './state.ts';
 import { confirm } from './ui/confirm.ts';
 import { h } from './ui/dom.ts';
+import type { MenuEntry } from './ui/menu.ts';
 import { startProgress, toast, toastError } from './ui/toast.ts';
 import { installTooltip } from './ui/tooltip.ts';
 import { trackUnsaved } from './unsaved.ts';
@@ -88,7 +89,7 @@ const view = h('main', { class: 'viewport' }, canvas, loading);
 document
   .getElementById('app')
   ?.replaceChildren(
-    createTopbar(session, { newScene, open, save, openShipped, screenshot, shippedScenes }),
+    createTopbar(session, { newScene, open, save, openShipped, screenshot, tracedPictures, shippedScenes }),
     h('div', { class: 'panel-left' }, outliner.element),
     view,
     createSourcePanel(session),
@@ -215,12 +216,34 @@ function save(): void {
   toast('success', `Saved ${name}`);
 }
 
-async function screenshot(): Promise<void> {
+function screenshot(): Promise<void> {
+  return savePicture('.png', (viewport) => viewport.screenshot());
+}
+
+function tracedPictures(): MenuEntry[] {
+  if (!window.irradia.viewport?.tracing.texture) return [];
+  return [
+    {
+      label: 'Path traced picture, PNG',
+      icon: 'image',
+      tip: 'All of it, as the screen shows it',
+      run: () => savePicture('-path-traced.png', (viewport) => viewport.tracedScreenshot()),
+    },
+    {
+      label: 'Path traced radiance, EXR',
+      icon: 'image',
+      tip: 'Linear Rec. 709 before exposure and tone mapping; the header has the number of samples',
+      run: () => savePicture('-path-traced.exr', async ({ tracing }) => new Blob([await tracing.exr()])),
+    },
+  ];
+}
+
+async function savePicture(ending: string, picture: (viewport: Viewport) => Promise<Blob>): Promise<void> {
   const { viewport } = window.irradia;
   if (!viewport) return;
   try {
-    download(`${fileNameOf(store.document.name)}.png`, await viewport.screenshot());
+    download(`${fileNameOf(store.document.name)}${ending}`, await picture(viewport));
   } catch (error) {
-    toastError('No screenshot was taken', error);
+    toastError('The picture was not saved', error);
   }
 }

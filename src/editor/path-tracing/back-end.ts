@@ -22,20 +22,20 @@ export async function openStage(tell: (device: Device) => void): Promise<Stage> 
 
 /** @returns why there is none */
 async function findGpu(): Promise<{ tracer: GpuPathTracer } | string> {
-  if (!navigator.gpu) return 'This browser has no WebGPU.';
+  if (!navigator.gpu) return 'this browser has no WebGPU';
   try {
     const adapter = await navigator.gpu.requestAdapter({ powerPreference: 'high-performance' });
-    if (adapter === null) return 'WebGPU has no GPU here.';
+    if (adapter === null) return 'WebGPU found no GPU';
     const { info, limits } = adapter;
-    if (info.isFallbackAdapter || isSoftware(info))
-      return 'WebGPU is emulated by software here, which is slower than the path tracer’s own CPU threads.';
+    // Threads of our own are faster than a GPU made of threads.
+    if (info.isFallbackAdapter || isSoftware(info)) return 'WebGPU is only emulated here';
     const { maxBufferSize, maxStorageBufferBindingSize } = limits;
     const device = await adapter.requestDevice({
       requiredLimits: { maxBufferSize, maxStorageBufferBindingSize },
     });
     return { tracer: new GpuPathTracer(device, info.description || `${info.vendor} ${info.architecture}`) };
   } catch (error) {
-    return `WebGPU could not be started: ${error instanceof Error ? error.message : String(error)}`;
+    return `WebGPU did not start: ${error instanceof Error ? error.message : String(error)}`;
   }
 }
 

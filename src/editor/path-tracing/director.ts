@@ -13,6 +13,9 @@ import { nextPass } from './schedule.ts';
 /** Between two pictures that the page is sent. */
 const PICTURE_MS = 250;
 
+/** An estimate of the error from fewer samples is not to be trusted: what is rare has not been met yet. */
+const LEAST_SAMPLES_FOR_ERROR = 16;
+
 export interface Stage {
   readonly tracer: PathTracer;
   /** The most bytes that a scene may have. */
@@ -93,7 +96,7 @@ export class Director {
 
   #reached({ samples, error }: Rendering): Figures['reached'] {
     if (samples >= this.#goal.samples) return 'samples';
-    return error <= this.#goal.error ? 'error' : null;
+    return samples >= LEAST_SAMPLES_FOR_ERROR && error <= this.#goal.error ? 'error' : null;
   }
 
   async #begin(wish: Wish): Promise<void> {

@@ -39,7 +39,9 @@ function duration(seconds: number): string {
 }
 
 function error(relative: Figures['error']): string {
-  return Number.isFinite(relative) ? `error ${(100 * relative).toPrecision(2)} %` : 'error –';
+  if (!Number.isFinite(relative)) return 'error –';
+  const percent = 100 * relative;
+  return `error ${percent >= 100 ? Math.round(percent) : percent.toPrecision(2)} %`;
 }
 
 function speed(pathsPerSecond: number): string {

@@ -91,13 +91,16 @@ export class PathTracing {
     this.#follow();
   }
 
-  /** The film as it is. Null where there is none. */
-  exr(): Promise<Uint8Array<ArrayBuffer> | null> {
-    if (this.#state.kind !== 'picture') return Promise.resolve(null);
-    return new Promise((resolve) => {
-      this.#waitingForExr.push(resolve);
-      this.#send({ kind: 'exr', documentName: this.#options.session.store.document.name });
-    });
+  /** The film as an EXR file. */
+  async exr(): Promise<Uint8Array<ArrayBuffer>> {
+    const file =
+      this.#state.kind === 'picture' &&
+      (await new Promise<Uint8Array<ArrayBuffer> | null>((resolve) => {
+        this.#waitingForExr.push(resolve);
+        this.#send({ kind: 'exr', documentName: this.#options.session.store.document.name });
+      }));
+    if (!file) throw new Error('There is no path traced picture yet.');
+    return file;
   }
 
   get #wanted(): boolean {

@@ -39,7 +39,7 @@ export function createProgress({ store, state }: Session, tracing: PathTracing):
     bar.style.setProperty('--fraction', `${100 * (fraction ?? 0)}%`);
     bar.setAttribute('aria-valuenow', String(Math.round(100 * (fraction ?? 0))));
     const { device: by } = tracing;
-    device.textContent = by === null ? '' : by.note === '' ? by.name : `${by.name}: ${by.note}`;
+    device.textContent = by === null ? '' : by.note === '' ? by.name : `${by.name}, as ${by.note}`;
     pause.setAttribute('aria-label', paused ? 'Go on path tracing' : 'Pause path tracing');
     pause.dataset.tip = paused ? 'Go on (P)' : 'Pause (P)';
     pause.setAttribute('aria-pressed', String(paused));

@@ -7,16 +7,29 @@ import { createModeSwitch } from './mode-switch.ts';
 import type { PathTracing } from './path-tracing.ts';
 import { createProgress } from './progress.ts';
 
+export interface PathTracingView {
+  readonly element: HTMLElement;
+  /** The map of the difference, while it is what the viewport shows. */
+  readonly differenceCanvas: HTMLCanvasElement | null;
+}
+
 export function createPathTracingView(
   session: Session,
   tracing: PathTracing,
   readPair: () => Promise<ImagePair | null>,
-): HTMLElement {
-  return h(
+): PathTracingView {
+  const difference = createDifference(session, tracing, readPair);
+  const element = h(
     'div',
     { class: 'path-tracing' },
-    createDifference(session, tracing, readPair),
+    difference.element,
     createDivider(session, tracing),
     h('div', { class: 'path-tracing-head' }, createModeSwitch(session), createProgress(session, tracing)),
   );
+  return {
+    element,
+    get differenceCanvas() {
+      return difference.canvas;
+    },
+  };
 }

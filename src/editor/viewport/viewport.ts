@@ -10,7 +10,7 @@ import type { FrameTimes } from '../panels/status/frame-times.ts';
 import type { RenderFigures } from '../panels/status/status.ts';
 import type { ImagePair } from '../path-tracing/difference.ts';
 import { PathTracing } from '../path-tracing/path-tracing.ts';
-import { createPathTracingView } from '../path-tracing/view.ts';
+import { createPathTracingView, type PathTracingView } from '../path-tracing/view.ts';
 import type { Session } from '../session.ts';
 import { h } from '../ui/dom.ts';
 import { toastError } from '../ui/toast.ts';
@@ -42,6 +42,7 @@ export class Viewport {
   readonly #loop: FrameLoop;
   readonly #camera: ReturnType<typeof createCameraControl>;
   readonly tracing: PathTracing;
+  readonly #tracingView: PathTracingView;
   /** The scene or its place on the screen has changed since it was drawn. */
   #stale = true;
   #counts: SceneCounts = { vertices: 0, triangles: 0 };
@@ -64,7 +65,8 @@ export class Viewport {
     this.tracing = new PathTracing({ session, onPicture: () => this.#loop.request() });
     this.#camera = createCameraControl(mirror.camera, canvas, session.store, () => this.#redraw());
     this.#camera.follow(session.store.document);
-    element.append(createPathTracingView(session, this.tracing, () => this.#readPair()));
+    this.#tracingView = createPathTracingView(session, this.tracing, () => this.#readPair());
+    canvas.after(this.#tracingView.element);
 
     session.store.subscribe(({ document, previous }) => this.#follow(document, previous));
     session.state.subscribe((now, before) => {
@@ -123,16 +125,23 @@ export class Viewport {
   }
 
   /** The picture as it is shown, without the overlay. */
-  async screenshot(): Promise<Blob> {
-    const { canvas } = this.#options;
-    // A canvas may be read only in the task that drew it.
-    this.#submit();
-    return new Promise((resolve, reject) => {
-      canvas.toBlob(
-        (blob) => (blob ? resolve(blob) : reject(new Error('The canvas gave no image.'))),
-        'image/png',
-      );
-    });
+  screenshot(): Promise<Blob> {
+    const map = this.#tracingView.differenceCanvas;
+    // A canvas of the GPU may be read only in the task that drew it.
+    if (map === null) this.#submit();
+    return pngOf(map ?? this.#options.canvas);
+  }
+
+  /** The path traced picture, whatever part of it is shown. */
+  async tracedScreenshot(): Promise<Blob> {
+    const { texture } = this.tracing;
+    if (texture === null) throw new Error('There is no path traced picture yet.');
+    const { renderer, session } = this.#options;
+    const { width, height } = renderer.canvas;
+    const pixels = await renderer.readImage(session.store.document.view, { radiance: texture, from: 0 });
+    const canvas = h('canvas', { width, height });
+    canvas.getContext('2d')?.putImageData(new ImageData(Uint8ClampedArray.from(pixels), width, height), 0, 0);
+    return pngOf(canvas);
   }
 
   #follow(document: Document, previous: Document): void {
@@ -268,4 +277,13 @@ export class Viewport {
     });
     canvas.addEventListener('dblclick', () => this.focusSelection());
   }
+}
+
+function pngOf(canvas: HTMLCanvasElement): Promise<Blob> {
+  return new Promise((resolve, reject) => {
+    canvas.toBlob(
+      (blob) => (blob ? resolve(blob) : reject(new Error('The canvas gave no image.'))),
+      'image/png',
+    );
+  });
 }

@@ -8,7 +8,7 @@ import { attempt, toggleBench, toggleHelpers } from '../../commands.ts';
 import type { Session } from '../../session.ts';
 import { h } from '../../ui/dom.ts';
 import { type IconName, icon, isIcon } from '../../ui/icons.ts';
-import { type MenuEntry, menuButton } from '../../ui/menu.ts';
+import { type MenuEntry, menuButton, openMenu } from '../../ui/menu.ts';
 import { selectionEntries } from '../selection-menu.ts';
 import { createTermSelect } from './term-select.ts';
 
@@ -18,6 +18,8 @@ export interface TopbarActions {
   save(): void;
   openShipped(name: string): void;
   screenshot(): void;
+  /** More pictures that can be saved; none while there is only the one that is shown. */
+  tracedPictures(): MenuEntry[];
   shippedScenes: readonly { name: string; title: string }[];
 }
 
@@ -31,7 +33,11 @@ export function createTopbar(session: Session, actions: TopbarActions): HTMLElem
     { type: 'button', class: 'icon-button', 'aria-label': 'Screenshot', tip: 'Save the picture as PNG' },
     icon('camera'),
   );
-  shot.addEventListener('click', () => actions.screenshot());
+  shot.addEventListener('click', () => {
+    const more = actions.tracedPictures();
+    if (more.length === 0) actions.screenshot();
+    else openMenu(shot, 'Screenshot', [screenshotEntry(actions), ...more]);
+  });
 
   const helpers = h(
     'button',
@@ -94,6 +100,10 @@ export function createTopbar(session: Session, actions: TopbarActions): HTMLElem
   );
 }
 
+function screenshotEntry({ screenshot }: TopbarActions): MenuEntry {
+  return { label: 'Screenshot', icon: 'camera', tip: 'The viewport as it is shown, as PNG', run: screenshot };
+}
+
 function fileEntries(actions: TopbarActions): MenuEntry[] {
   return [
     { label: 'New', icon: 'file', run: actions.newScene },
@@ -105,7 +115,8 @@ function fileEntries(actions: TopbarActions): MenuEntry[] {
       run: actions.open,
     },
     { label: 'Save', icon: 'save', shortcut: 'Ctrl+S', run: actions.save },
-    { label: 'Screenshot', icon: 'camera', run: actions.screenshot },
+    screenshotEntry(actions),
+    ...actions.tracedPictures(),
     'separator',
     { heading: 'Scenes' },
     ...actions.shippedScenes.map(
