@@ -24,9 +24,9 @@ export type * from './types.ts';
 const FEW = 250;
 const MANY = 2000;
 /** Pixels along the side of the sphere that fits are chosen by. */
-const LOOK_SIZE = 20;
+const LOOK_SIZE = 18;
 /** And of the one that the last fit is made by: another grid, so that the choice is not its own. */
-const SMALL_LOOK_SIZE = 13;
+const SMALL_LOOK_SIZE = 11;
 /**
  * The lowest cosine: 89 degrees; for measurements 80 degrees, beyond which they are not to be trusted (B. Burley,
  * 2012, "Physically-Based Shading at Disney", section 3).

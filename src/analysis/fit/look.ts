@@ -16,11 +16,39 @@ export interface Look {
 }
 
 /**
- * How each pixel looks about: half vectors in rings about the normal, theta_h = 90 degrees t^3, so that lobes of
- * any width are met by several rings. Light comes from everywhere, smoothly, and the rings' light with it.
+ * How far apart directions to the light are, in radians: 1.2 standard deviations of the smallest soft light, so
+ * that the sum over them is as smooth as the light itself.
  */
-const RINGS = 10;
-const SPOKES = 8;
+const SPACING = 0.32;
+/** Up to here half vectors are in rings evenly spread over the logarithm of theta_h, for lobes of any width. */
+const MIDDLE = 0.1;
+const INNERMOST = 5e-5;
+const INNER_RINGS = 8;
+
+interface Ring {
+  readonly theta: number;
+  readonly spokes: number;
+  /** The solid angle of half vectors that each spoke stands for. */
+  readonly solidAngle: number;
+}
+
+/** Half vectors about the normal. */
+const RINGS: readonly Ring[] = (() => {
+  const span = Math.log(MIDDLE / INNERMOST) / INNER_RINGS;
+  const inner = Array.from({ length: INNER_RINGS }, (_, i) => {
+    const theta = INNERMOST * Math.exp(span * (i + 0.5));
+    return { theta, width: theta * span };
+  });
+  // A direction that is reflected at h turns twice as far as h.
+  const count = Math.ceil((2 * (Math.PI / 2 - MIDDLE)) / SPACING);
+  const width = (Math.PI / 2 - MIDDLE) / count;
+  const outer = Array.from({ length: count }, (_, i) => ({ theta: MIDDLE + width * (i + 0.5), width }));
+  return [...inner, ...outer].map(({ theta, width }) => {
+    const round = 2 * Math.PI * Math.sin(Math.min(2 * theta, Math.PI / 2));
+    const spokes = Math.max(6, Math.ceil(round / SPACING));
+    return { theta, spokes, solidAngle: (Math.sin(theta) * width * 2 * Math.PI) / spokes };
+  });
+})();
 
 /** A sphere seen from far along -z, +y up, in a room with a warm soft light, a cool one behind, sky and floor. */
 export function createLook(size: number): Look {
@@ -64,14 +92,10 @@ function* pixelPairs(n: Vec3): Generator<{ pair: Pair; weight: Rgb }> {
   const X: Vec3 = [n[2] / flat, 0, -n[0] / flat];
   const Y: Vec3 = [n[1] * X[2] - n[2] * X[1], n[2] * X[0] - n[0] * X[2], n[0] * X[1] - n[1] * X[0]];
   const v: Vec3 = [X[2], Y[2], n[2]];
-  for (let ring = 0; ring < RINGS; ring++) {
-    const t = (ring + 0.5) / RINGS;
-    const theta = (Math.PI / 2) * t ** 3;
+  for (const [ring, { theta, spokes, solidAngle }] of RINGS.entries()) {
     const [sine, cosine] = [Math.sin(theta), Math.cos(theta)];
-    // dw_h = sin(theta) dtheta dphi, and dtheta = 90 degrees 3 t^2 dt.
-    const solidAngle = ((sine * (Math.PI / 2) * 3 * t * t) / RINGS) * ((2 * Math.PI) / SPOKES);
-    for (let spoke = 0; spoke < SPOKES; spoke++) {
-      const phi = (2 * Math.PI * (spoke + (ring % 2) / 2)) / SPOKES;
+    for (let spoke = 0; spoke < spokes; spoke++) {
+      const phi = (2 * Math.PI * (spoke + (ring % 2) / 2)) / spokes;
       const h: Vec3 = [sine * Math.cos(phi), sine * Math.sin(phi), cosine];
       const vh = v[0] * h[0] + v[1] * h[1] + v[2] * h[2];
       const l: Vec3 = [2 * vh * h[0] - v[0], 2 * vh * h[1] - v[1], 2 * vh * h[2] - v[2]];
@@ -98,8 +122,8 @@ interface SoftLight {
 
 /** Warm from the upper left, cool from behind on the right, to bring out the rim. */
 const SOFT_LIGHTS: readonly SoftLight[] = [
-  { towards: unit([-0.55, 0.65, 0.55]), radiance: [15, 13.5, 11.5], sharpness: 40 },
-  { towards: unit([0.85, 0.25, -0.45]), radiance: [3, 4, 5.5], sharpness: 25 },
+  { towards: unit([-0.55, 0.65, 0.55]), radiance: [6, 5.4, 4.6], sharpness: 14 },
+  { towards: unit([0.85, 0.25, -0.45]), radiance: [1.8, 2.4, 3.3], sharpness: 14 },
 ];
 const SKY: Rgb = [0.4, 0.48, 0.6];
 const FLOOR: Rgb = [0.14, 0.12, 0.1];
@@ -124,10 +148,10 @@ function unit([x, y, z]: Vec3): Vec3 {
 
 /**
  * Radiance as a display shows it, 0 to 1 and linear: x/(1 + x), which takes highlights to white (E. Reinhard et
- * al., 2002, "Photographic Tone Reproduction for Digital Images", equation 3), brightened so that 1 becomes .75.
+ * al., 2002, "Photographic Tone Reproduction for Digital Images", equation 3), brightened so that 1 becomes .64.
  */
 export function displayed(radiance: number): number {
-  const x = 3 * Math.max(0, radiance);
+  const x = 1.8 * Math.max(0, radiance);
   return x / (1 + x);
 }
 

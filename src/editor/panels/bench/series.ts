@@ -31,7 +31,7 @@ export function subjectsOf(document: Document, selection: Selection, pins: reado
 /** The same object as long as the model stays the same: curves are computed anew when it changes. */
 const ownModels = new WeakMap<object, OwnModel>();
 
-function ownModel(document: Document, name: string): OwnModel | null {
+export function ownModel(document: Document, name: string): OwnModel | null {
   const origin = modelOrigin(document, name);
   const entry = document.models[name];
   if (!origin || !entry || !Object.hasOwn(document.models, name)) return null;

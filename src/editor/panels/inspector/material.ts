@@ -14,6 +14,7 @@ import { h } from '../../ui/dom.ts';
 import { row, selectField, switchField } from '../../ui/fields.ts';
 import { section } from '../../ui/section.ts';
 import { sliderField } from '../../ui/slider-field.ts';
+import { openFit } from '../fit/fit.ts';
 import { type Cell, pathCell } from './cell.ts';
 import { type Bound, labelOf, shapeFields } from './field.ts';
 import { mapRows } from './maps.ts';
@@ -58,6 +59,7 @@ export function materialPanel(session: Session, id: string): InspectorPanel {
     { class: 'model-about' },
     h('p', { class: 'hint model-title' }, model?.file.title ?? ''),
     editSourceButton(session),
+    fitButton(session, id),
   );
   const fold = (title: string, ...children: Node[]) =>
     section(title, state.value.folded.includes(title), (folded) => state.fold(title, folded), ...children);
@@ -86,6 +88,20 @@ function editSourceButton({ store, state }: Session): HTMLElement {
     'Edit source',
   );
   button.addEventListener('click', () => editSource(store, state));
+  return button;
+}
+
+function fitButton(session: Session, id: string): HTMLElement {
+  const button = h(
+    'button',
+    {
+      type: 'button',
+      class: 'text-button',
+      tip: 'Find parameters that reproduce measurements or another material',
+    },
+    'Fit to…',
+  );
+  button.addEventListener('click', () => openFit(session, id));
   return button;
 }
 
