@@ -6,7 +6,9 @@ import { beforeAll, expect, test } from 'vitest';
 import { shippedModels } from '../../models/index.ts';
 import { createEvaluator, type Vector3 } from '../../src/glsl/evaluator.ts';
 import type { Model } from '../../src/glsl/model.ts';
+import { writeCsail } from '../io/csail-writer.ts';
 import { writeMerl } from '../io/merl-writer.ts';
+import { writeRgl } from '../io/rgl-writer.ts';
 import { built, irradia } from '../support/cli.ts';
 
 beforeAll(() => built('cli'));
@@ -44,7 +46,8 @@ test.each(['cpu', 'gpu'])('brdf eval reads its samples, on the %s', async (backe
 test('render draws a sphere of it, as of the model that it samples', async () => {
   const draw = async (subject: string, name: string): Promise<number[]> => {
     const path = join(folder, name);
-    const result = await irradia(['render', subject, '-o', path, '--size', '48x48', '--device', 'software']);
+    const how = ['--renderer', 'realtime', '--size', '48x48', '--device', 'software'];
+    const result = await irradia(['render', subject, '-o', path, ...how]);
     expect(result).toEqual({ code: 0, stdout: '', stderr: '' });
     return [...(await sharp(path).raw().toBuffer())];
   };
@@ -67,6 +70,27 @@ vec3 BRDF(vec3 L, vec3 V, vec3 N, vec3 X, vec3 Y) {
   got.forEach((value, i) => {
     expect(Math.abs(value - (expected[i] as number)), `byte ${i}`).toBeLessThanOrEqual(3);
   });
+});
+
+test.each([
+  ['blue.bsdf', () => writeRgl((L, V) => lambert.f(L, V), { thetas: 6, resolution: 24 })],
+  ['blue.dat', () => writeCsail((L, V) => lambert.f(L, V), { bins: [4, 4, 8, 8] })],
+] as const)('the same commands take %s', async (name, write) => {
+  const path = join(folder, name);
+  writeFileSync(path, write());
+  expect((await irradia(['brdf', 'show', path])).stdout).toMatch(/^blue\n/);
+  const query = JSON.stringify({ l: [0.6, 0, 0.8], v: [0, 0, 1] });
+  const { stdout } = await irradia(['brdf', 'eval', path], query);
+  const { f } = JSON.parse(stdout) as { f: number[] };
+  [0.2, 0.4, 0.8].forEach((albedo, c) => {
+    expect(f[c]).toBeCloseTo(albedo / Math.PI, 2);
+  });
+  const picture = join(folder, `${name}.png`);
+  const render = ['render', path, '-o', picture, '--size', '32x32', '--spp', '16', '--device', 'software'];
+  expect((await irradia(render)).code).toBe(0);
+  const { channels } = await sharp(picture).stats();
+  const [red, , blue] = channels.map(({ max }) => max) as [number, number, number];
+  expect(blue).toBeGreaterThan(red + 40);
 });
 
 test('a broken file is refused with a message and not with a stack', async () => {

@@ -1,4 +1,6 @@
 import { describe, expect, test } from 'vitest';
+import { createRandom } from '../../src/analysis/random.ts';
+import { ByteError } from '../../src/io/bytes.ts';
 import { packCsail, readCsail } from '../../src/io/csail.ts';
 import { writeCsail } from './csail-writer.ts';
 
@@ -111,5 +113,23 @@ describe('a broken file is refused with its name, the place and the fault:', () 
   ])('%s', (name, bytes, message) => {
     expect(() => readCsail(bytes(), `${name}.dat`)).toThrow(message);
     expect(() => readCsail(bytes(), `${name}.dat`)).toThrow(new RegExp(`^${name}\\.dat: `));
+  });
+
+  test('cut or garbled anywhere', () => {
+    const random = createRandom(11);
+    for (let i = 0; i < 400; i++) {
+      const from = i % 2 === 0 ? good : packed;
+      const copy = from.slice(0, i % 3 === 0 ? Math.floor(random() * from.length) : from.length);
+      // Mostly in the head, where sizes stand.
+      for (let k = 0; k < 3; k++)
+        copy[Math.floor(random() * Math.min(copy.length, k === 0 ? copy.length : 64))] = random() * 256;
+      try {
+        expect(readCsail(copy, 'garbled.dat').every((value) => Number.isFinite(value) && value >= 0)).toBe(
+          true,
+        );
+      } catch (error) {
+        expect(error).toBeInstanceOf(ByteError);
+      }
+    }
   });
 });
