@@ -146,6 +146,8 @@ void loadSurface(vec3 d) {
     surfaceIsThin = modelIsThin(head.x);
     surfaceIor = max(modelIor(head.x), 1e-3);
     float around = surroundingIor(surfaceMaterial);
+    // A boundary that turns no ray has no formula; from both sides it must be the same boundary.
+    if (abs(surfaceIor / around - 1.0) < 0.005) surfaceIor = 1.005 * around;
     if (!surfaceIsThin) setModelIor(head.x, surfaceIsFront ? surfaceIor / around : around / surfaceIor);
   }
 }

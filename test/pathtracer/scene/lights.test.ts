@@ -279,7 +279,7 @@ test('cones around cones hold both; their cost grows', () => {
   const some = (): LightBounds => {
     const low = unitVector(random);
     return {
-      box: [...low, ...low.map((x) => x + random())],
+      box: [...low, ...(low.map((x) => x + random()) as Vector)],
       axis: unitVector(random),
       cosNormals: 2 * random() - 1,
       cosEmission: random(),
