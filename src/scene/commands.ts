@@ -10,6 +10,7 @@ import { type AddableGeometry, geometryDefaults, geometryNames, geometryShapes }
 import { type LightType, lightDefaults, lightShapes } from './light-schema.ts';
 import { putMaterial } from './material-commands.ts';
 import { freeId, freeName } from './names.ts';
+import { freePlace, lightPlace, lightTarget } from './placement.ts';
 import { type Asset, type Geometry, type Light, objectDefaults } from './schema.ts';
 import type { DocumentStore, Draft } from './store.ts';
 import { assetsOf } from './validate.ts';
@@ -17,30 +18,37 @@ import { assetsOf } from './validate.ts';
 /** What has a name of its own that can be changed. */
 export type Named = 'lights' | 'objects' | 'materials' | 'assets';
 
-/** Returns the new light's id. */
+/** Adds a light near what the camera looks at, beside the lights that are there; returns its id. */
 export function addLight(store: DocumentStore, type: LightType, values: Partial<Light> = {}): string {
   const { lights } = store.document;
   const defaults = lightDefaults[type];
   const id = freeId(type, lights);
   store.edit(`Add ${defaults.name.toLowerCase()}`, (draft) => {
     const name = freeName(defaults.name, namesOf(lights));
-    draft.lights[id] = { ...structuredClone(defaults), name, ...values, type } as Light;
+    const place: { position?: number[]; target?: number[] } = {};
+    if ('position' in defaults) place.position = lightPlace(store.document, defaults.position);
+    if ('target' in defaults) place.target = lightTarget(store.document, defaults.target);
+    draft.lights[id] = { ...structuredClone(defaults), ...place, name, ...values, type } as Light;
   });
   return id;
 }
 
-/** Adds a primitive with a material (a new one if none is given); returns the object's id. */
+/**
+ * Adds a primitive with a material (a new one if none is given), on the floor where there is room for it;
+ * returns the object's id.
+ */
 export function addObject(store: DocumentStore, type: AddableGeometry, material?: string): string {
   const { objects } = store.document;
   const name = geometryNames[type];
   const id = freeId(name, objects);
   store.edit(`Add ${name.toLowerCase()}`, (draft) => {
-    draft.objects[id] = {
+    const object = {
       ...structuredClone(objectDefaults),
       name: freeName(name, namesOf(objects)),
-      material: material ?? putMaterial(draft, { name }),
       geometry: structuredClone(geometryDefaults[type]),
     };
+    object.position = freePlace(store.document, object);
+    draft.objects[id] = { ...object, material: material ?? putMaterial(draft, { name }) };
   });
   return id;
 }
