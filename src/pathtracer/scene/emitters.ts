@@ -81,8 +81,12 @@ export async function writeTriangleLights(
           light: first + triangle,
           bounds: {
             box: [
-              ...[0, 1, 2].map((i) => Math.min(a[i]!, b[i]!, c[i]!)),
-              ...[0, 1, 2].map((i) => Math.max(a[i]!, b[i]!, c[i]!)),
+              Math.min(a[0], b[0], c[0]),
+              Math.min(a[1], b[1], c[1]),
+              Math.min(a[2], b[2], c[2]),
+              Math.max(a[0], b[0], c[0]),
+              Math.max(a[1], b[1], c[1]),
+              Math.max(a[2], b[2], c[2]),
             ],
             axis: normal.map((x) => (sign * x) / doubled) as Point,
             cosNormals: 1,

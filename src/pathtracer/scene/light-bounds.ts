@@ -6,9 +6,11 @@
 
 type Vector = readonly [number, number, number];
 
+export type Box = readonly [number, number, number, number, number, number];
+
 export interface LightBounds {
   /** Minimum and maximum. */
-  readonly box: readonly number[];
+  readonly box: Box;
   /** Axis of the cone that holds the normals of all emitters, of length 1. */
   readonly axis: Vector;
   /** Half angle of that cone. */
@@ -29,6 +31,9 @@ const cross = (a: Vector, b: Vector): [number, number, number] => [
 
 /** The cone around two cones; with a cosine of -1 it is all directions. */
 function uniteCones(a: Vector, cosA: number, b: Vector, cosB: number): { axis: Vector; cosine: number } {
+  // Of many lights the cone soon is everything.
+  if (cosA <= -1) return { axis: a, cosine: -1 };
+  if (cosB <= -1) return { axis: b, cosine: -1 };
   const [thetaA, thetaB] = [clampedAcos(cosA), clampedAcos(cosB)];
   // Exact for small angles too, where the arc cosine is not.
   const between =
@@ -55,7 +60,14 @@ export function uniteLights(a: LightBounds | null, b: LightBounds | null): Light
   if (a === null || b === null) return a ?? b;
   const { axis, cosine } = uniteCones(a.axis, a.cosNormals, b.axis, b.cosNormals);
   return {
-    box: a.box.map((x, i) => (i < 3 ? Math.min(x, b.box[i]!) : Math.max(x, b.box[i]!))),
+    box: [
+      Math.min(a.box[0], b.box[0]),
+      Math.min(a.box[1], b.box[1]),
+      Math.min(a.box[2], b.box[2]),
+      Math.max(a.box[3], b.box[3]),
+      Math.max(a.box[4], b.box[4]),
+      Math.max(a.box[5], b.box[5]),
+    ],
     axis,
     cosNormals: cosine,
     cosEmission: Math.min(a.cosEmission, b.cosEmission),
@@ -76,6 +88,6 @@ export function groupCost({ box, cosNormals, cosEmission, power }: LightBounds, 
   const directions =
     2 * Math.PI * (1 - cosNormals) +
     (Math.PI / 2) * (2 * thetaW * sinO - Math.cos(thetaO - 2 * thetaW) - 2 * thetaO * sinO + cosNormals);
-  const [x, y, z] = [box[3]! - box[0]!, box[4]! - box[1]!, box[5]! - box[2]!];
+  const [x, y, z] = [box[3] - box[0], box[4] - box[1], box[5] - box[2]];
   return power * directions * elongation * 2 * (x * y + y * z + z * x);
 }

@@ -12,7 +12,7 @@ export interface TreeLight {
 /** As in pbrt-v4's BVHLightSampler, section 12.6.3 of "Physically Based Rendering". */
 const BUCKETS = 12;
 /** Where there are more, only the longest axis is tried. */
-const MANY = 4096;
+const MANY = 512;
 
 const centre = ({ bounds: { box } }: TreeLight, axis: number): number => (box[axis]! + box[axis + 3]!) / 2;
 

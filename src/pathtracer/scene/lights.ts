@@ -120,13 +120,20 @@ function rectangle(light: LightOf<'rectangle'>): LightRecord {
   frame.extractBasis(x, y, z);
   const normal = z.negate().toArray();
   const [right, up] = [x.multiplyScalar(width / 2).toArray(), y.multiplyScalar(height / 2).toArray()];
-  const reach = [0, 1, 2].map((i) => Math.abs(right[i]!) + Math.abs(up[i]!));
+  const reach = [0, 1, 2].map((i) => Math.abs(right[i]!) + Math.abs(up[i]!)) as Rgb;
   return {
     type: LIGHT_TYPES.rectangle,
     a: 0,
     slots: [radiance, position, [...normal, width * height], right, up],
     bounds: {
-      box: [...position.map((p, i) => p - reach[i]!), ...position.map((p, i) => p + reach[i]!)],
+      box: [
+        position[0] - reach[0],
+        position[1] - reach[1],
+        position[2] - reach[2],
+        position[0] + reach[0],
+        position[1] + reach[1],
+        position[2] + reach[2],
+      ],
       axis: normal,
       cosNormals: 1,
       cosEmission: 0,
