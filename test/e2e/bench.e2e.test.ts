@@ -191,6 +191,7 @@ describe('the bench', () => {
     it.each([
       ['lobe', 'theta_l_deg,phi_l_deg', '<polygon'],
       ['phi', 'phi_l_deg', '<polyline'],
+      ['azimuth', 'phi_l_deg', '<polyline'],
       ['sweep', 'roughness,theta_v_deg', '<polyline'],
       ['map', 'phi_l_deg,theta_l_deg', '<image'],
       ['sphere', 'x,y', '<image'],
@@ -207,6 +208,18 @@ describe('the bench', () => {
       expect(data.head.join()).toMatch(new RegExp(`^${head},"Gloss red"`));
       expect(data.rows.length).toBeGreaterThan(50);
       expect((await exported('SVG')).bytes.toString()).toContain(mark);
+    });
+
+    it('shows the Fresnel reflectance of a substance beside Schlick', async () => {
+      await page.page.click('[data-view=fresnel]');
+      const gold = await plot();
+      await page.page.selectOption('[aria-label="Substance in the plot"]', 'water');
+      expect(await plot()).not.toBe(gold);
+      const { head, rows } = await table();
+      expect(head.join()).toMatch(/^theta_i_deg,"Water at 20 degrees, exact red"/);
+      // ((n - 1)/(n + 1))^2 with n = 1.333
+      expect(rows[0]?.[1]).toBeCloseTo(0.02, 3);
+      expect(rows.at(-1)?.[1]).toBeCloseTo(1, 6);
     });
 
     it('turns the lobe with the keys and with the mouse, and moves l by its handle', async () => {

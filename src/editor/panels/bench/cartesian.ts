@@ -57,6 +57,8 @@ function axisOf({ settings, parameter }: Plot): Axis {
       return { ...quarter, label: 'θd' };
     case 'albedo':
       return { ...quarter, label: 'θv' };
+    case 'fresnel':
+      return { ...quarter, label: 'θi' };
     case 'phi':
       return { ...turn, label: settings.turns === 'half' ? 'φh' : 'φl' };
     case 'sweep': {
@@ -133,7 +135,13 @@ export const cartesianView: View = {
       );
       return { head: [parameter?.name ?? 'parameter', 'theta_v_deg'], rows };
     }
-    const names = { thetaH: 'theta_h', thetaD: 'theta_d', albedo: 'theta_v', thetaL: 'theta_l' };
+    const names = {
+      thetaH: 'theta_h',
+      thetaD: 'theta_d',
+      albedo: 'theta_v',
+      fresnel: 'theta_i',
+      thetaL: 'theta_l',
+    };
     const phi = settings.turns === 'half' ? 'phi_h' : 'phi_l';
     const name = settings.view === 'phi' ? phi : names[settings.view as keyof typeof names];
     return curveTable(`${name}_deg`, plot);
@@ -144,7 +152,7 @@ function drawCartesian(painter: Painter, plot: Plot): void {
   const { settings, curves, probe } = plot;
   const area = areaOf(painter.width, painter.height);
   const axis = axisOf(plot);
-  const isAlbedo = settings.view === 'albedo' || settings.view === 'sweep';
+  const isShare = ['albedo', 'sweep', 'fresnel'].includes(settings.view);
   const values = curves.flatMap((curve) =>
     linesOf(curve, plot).flatMap(({ points }) =>
       strandsOf(curve, settings.channel).flatMap(({ channel }) =>
@@ -152,8 +160,8 @@ function drawCartesian(painter: Painter, plot: Plot): void {
       ),
     ),
   );
-  // An albedo is a share: 1 is always in sight, for a curve above it makes energy.
-  const scale = valueScale(isAlbedo && !settings.log ? [...values, 1] : values, settings.log, settings.range);
+  // A share: 1 is always in sight, for a curve above it makes energy.
+  const scale = valueScale(isShare && !settings.log ? [...values, 1] : values, settings.log, settings.range);
   const x = (value: number) => area.x + ((value - axis.from) / (axis.to - axis.from)) * area.width;
   const y = (value: number) => area.y + area.height * (1 - scale.position(value));
   const bottom = area.y + area.height;
@@ -174,7 +182,7 @@ function drawCartesian(painter: Painter, plot: Plot): void {
     turn: -90,
   });
   painter.clip({ ...area, y: area.y - 4, height: area.height + 8 }, () => {
-    if (isAlbedo) {
+    if (isShare) {
       painter.line(
         [
           [area.x, y(1)],
@@ -205,6 +213,7 @@ function drawCartesian(painter: Painter, plot: Plot): void {
     }
   });
   if (settings.view === 'sweep') drawAngleKey(painter, area);
+  if (settings.view === 'fresnel') drawFresnelKey(painter, area, plot);
   if (settings.view === 'thetaL') {
     painter.text('v', [x(-settings.thetaV) + 5, area.y + 7], { color: colors.guide });
     if (settings.thetaV > 0)
@@ -215,6 +224,39 @@ function drawCartesian(painter: Painter, plot: Plot): void {
       painter.text('l', [x(light) + 8, bottom - 8], { color: colors.light });
     }
   }
+}
+
+/** Which line is which, and the most that they are apart: substances have no row in the bench's legend. */
+function drawFresnelKey(painter: Painter, area: Area, { curves, settings }: Plot): void {
+  const [exact, schlick] = curves;
+  if (!exact || !schlick) return;
+  // Metals are bright from the start, glass is dark: the key goes to the other end.
+  const isBright = (exact.points[0]?.rgb[1] ?? 0) > 0.4;
+  const top = isBright ? area.y + area.height - 66 : area.y + 34;
+  for (const [i, { name, color }] of curves.entries()) {
+    const [x, y] = [area.x + 12, top + 16 * i];
+    const byDash = settings.channel === 'rgb';
+    painter.line(
+      [
+        [x, y],
+        [x + 26, y],
+      ],
+      { color: byDash ? colors.text : color, width: 2, dash: byDash ? dashOf(i) : [] },
+    );
+    painter.text(name, [x + 34, y], { color: colors.text });
+  }
+  const channel = settings.channel === 'rgb' ? 'luminance' : settings.channel;
+  const apart = exact.points.map(({ angle, rgb }, i) => {
+    const other = schlick.points[i]?.rgb ?? rgb;
+    return { angle, error: channelOf(other, channel) - channelOf(rgb, channel) };
+  });
+  const most = apart.reduce((a, b) => (Math.abs(b.error) > Math.abs(a.error) ? b : a));
+  const sign = most.error < 0 ? '−' : '+';
+  const figure = `${sign}${shortNumber(Number(Math.abs(most.error).toPrecision(2)))}`;
+  painter.text('Schlick is off by up to', [area.x + 12, top + 34], { color: colors.text });
+  painter.text(`${figure} in ${channel}, at ${degrees(most.angle)}`, [area.x + 12, top + 49], {
+    color: colors.text,
+  });
 }
 
 /** Which dashes mean which angle of the viewer. */

@@ -1,5 +1,6 @@
 /** The bench's settings beside the plots; those that no view in sight has are hidden. */
 import { turning } from '../../../analysis/plots/azimuth-slice.ts';
+import { substances } from '../../../analysis/substances/table.ts';
 import { h } from '../../ui/dom.ts';
 import { type Choice, row, selectField, switchField } from '../../ui/fields.ts';
 import { sliderField } from '../../ui/slider-field.ts';
@@ -47,6 +48,18 @@ export function createControls({ change, placeLight }: ControlActions): Controls
     shown: (settings) => settings.parameter,
     onChange: (value) => change({ parameter: value }),
   });
+  const substance = select({
+    name: 'Substance in the plot',
+    label: 'Substance',
+    tip: 'Its n and k are published measurements',
+    choices: [...substances.values()].map(({ name, title, kind }) => ({
+      value: name,
+      label: title,
+      group: kind === 'conductor' ? 'Conductors' : 'Dielectrics',
+    })),
+    shown: (settings) => settings.substance,
+    onChange: (value) => change({ substance: value }),
+  });
   const channelChoice = (key: 'channel' | 'tint', label: string, tip: string) =>
     select({
       name: label,
@@ -81,6 +94,7 @@ export function createControls({ change, placeLight }: ControlActions): Controls
     thetaD: angle('thetaD', 'θd', 'Half the angle between light and viewer', 89),
     thetaH: angle('thetaH', 'θh', 'Angle between the normal and the half vector', 89),
     parameter,
+    substance,
     term,
     channel: channelChoice('channel', 'Channel', 'Of curves and lobes'),
     tint: channelChoice('tint', 'Picture', 'What pictures show'),

@@ -113,6 +113,7 @@ const ALBEDOS: readonly BenchView[] = ['albedo', 'sweep'];
 
 export function quantityOf({ view, term, cosine }: PaneSettings): string {
   if (ALBEDOS.includes(view)) return term === 'BRDF' ? 'directional albedo' : `directional albedo of ${term}`;
+  if (view === 'fresnel') return 'reflectance';
   const name = term === 'BRDF' ? 'f' : term;
   return cosine ? `${name} · n·l` : `${name} (1/sr)`;
 }

@@ -6,11 +6,13 @@ import { halfSlice, halfSliceAt } from '../../../analysis/plots/half-slice.ts';
 import { lightSlice, lightSliceAt } from '../../../analysis/plots/light-slice.ts';
 import type { TriangleMesh } from '../../../analysis/plots/surface.ts';
 import type { Background } from './background.ts';
+import { between } from './between.ts';
 import type { PlottedCurve, SweptParameter } from './frame.ts';
 import type { Result, Task } from './jobs.ts';
 import { azimuthOptions, imageOptions, lightOptions, litOptions } from './plot-options.ts';
 import type { Evaluators, Subject } from './series.ts';
 import type { PaneSettings } from './settings.ts';
+import { substanceCurves } from './substance-curves.ts';
 
 /** The same one always, by which a pane sees that nothing has changed. */
 const EMPTY: readonly never[] = [];
@@ -34,6 +36,7 @@ export function plotData(
   settings: PaneSettings,
   sources: PlotSources,
 ): PlotData {
+  if (settings.view === 'fresnel') return { curves: substanceCurves(settings.substance), progress: 1 };
   const curves: PlottedCurve[] = [];
   const parts: number[] = [];
   const task = taskOf(settings, sources);
@@ -134,22 +137,12 @@ function computeSlice(f: Reflectance, settings: PaneSettings): Slice {
       return { points: halfSlice(f, options), at: (angle) => halfSliceAt(f, angle, options) };
     case 'thetaD':
       return { points: differenceSlice(f, options), at: (angle) => differenceSliceAt(f, angle, options) };
-    case 'phi': {
+    case 'phi':
+    case 'azimuth': {
       const azimuth = azimuthOptions(settings);
       return { points: azimuthSlice(f, azimuth), at: (angle) => azimuthSliceAt(f, angle, azimuth) };
     }
     default:
       return { points: EMPTY, at: () => null };
   }
-}
-
-/** On the straight line between the neighbours, as it is drawn. */
-function between(points: Curve, angle: number): CurvePoint | null {
-  const next = points.findIndex((point) => point.angle >= angle);
-  const [a, b] = [points[next - 1], points[next]];
-  if (b?.angle === angle) return b;
-  if (!a || !b) return null;
-  const part = (angle - a.angle) / (b.angle - a.angle);
-  const mix = (i: 0 | 1 | 2) => a.rgb[i] + part * (b.rgb[i] - a.rgb[i]);
-  return { angle, rgb: [mix(0), mix(1), mix(2)] };
 }

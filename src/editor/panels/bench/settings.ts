@@ -10,12 +10,14 @@ export const views = [
   'thetaH',
   'thetaD',
   'phi',
+  'azimuth',
   'albedo',
   'sweep',
   'image',
   'map',
   'sphere',
   'object',
+  'fresnel',
   'verdict',
 ] as const;
 export type BenchView = (typeof views)[number];
@@ -49,6 +51,8 @@ export interface BenchSettings {
   readonly turns: Turning;
   /** The parameter of the view over a parameter; the model's first number if it has none of that name. */
   readonly parameter: string;
+  /** Whose Fresnel reflectance is shown. */
+  readonly substance: string;
   readonly channel: Channel | 'rgb';
   readonly log: boolean;
   readonly cosine: boolean;
@@ -104,6 +108,7 @@ export const initialSettings: BenchSettings = {
   thetaD: 0,
   turns: 'light',
   parameter: 'roughness',
+  substance: 'gold',
   channel: 'luminance',
   log: false,
   cosine: false,

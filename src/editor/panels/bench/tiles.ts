@@ -51,14 +51,19 @@ function tiles(count: number, width: number, height: number, { left, right, top,
   const side = Math.max(16, best.side);
   const rows = Math.ceil(count / best.columns);
   const [strideX, strideY] = [side + left + right, side + top + bottom];
-  const beginX = Math.max(0, (width - strideX * Math.min(count, best.columns)) / 2);
   const beginY = Math.max(0, (height - strideY * rows) / 2);
-  return Array.from({ length: count }, (_, i) => ({
-    x: beginX + (i % best.columns) * strideX + left,
-    y: beginY + Math.floor(i / best.columns) * strideY + top,
-    width: side,
-    height: side,
-  }));
+  return Array.from({ length: count }, (_, i) => {
+    const row = Math.floor(i / best.columns);
+    // The last row may be shorter; each is in the middle.
+    const inRow = Math.min(best.columns, count - row * best.columns);
+    const begin = Math.max(0, (width - strideX * inRow) / 2);
+    return {
+      x: begin + (i % best.columns) * strideX + left,
+      y: beginY + row * strideY + top,
+      width: side,
+      height: side,
+    };
+  });
 }
 
 /** The part of the way over a picture's width and height, from below. */

@@ -12,30 +12,39 @@ const DECADES = 4;
 
 /** sRGB (IEC 61966-2-1), clipped at 1; a single channel is grey. */
 export function tonedPixels({ size, pixels, alpha }: Picture, settings: ToneSettings): Pixels {
+  const { tint, brightness, chroma, log } = settings;
+  const exposure = 2 ** brightness;
   const rgba = new Uint8ClampedArray(4 * size * size);
+  // Run for every pixel of every picture while a slider moves: colours make no objects here.
   for (let i = 0; i < size * size; i++) {
     const coverage = alpha ? (alpha[i] as number) : 1;
     if (coverage === 0) continue;
-    const rgb = [0, 1, 2].map((c) => (pixels[3 * i + c] as number) / coverage) as unknown as Rgb;
-    rgba.set([...toned(rgb, settings), 255 * coverage], 4 * i);
+    const r = (pixels[3 * i] as number) / coverage;
+    const g = (pixels[3 * i + 1] as number) / coverage;
+    const b = (pixels[3 * i + 2] as number) / coverage;
+    const gain = chroma ? 1 / Math.max(r, g, b, 1e-9) : exposure;
+    const grey = tint === 'rgb' ? null : gain * channelOf([r, g, b], tint);
+    for (let c = 0; c < 3; c++) {
+      const linear = grey ?? gain * (c === 0 ? r : c === 1 ? g : b);
+      rgba[4 * i + c] = log ? encodeLog(linear) : encodeSrgb(linear);
+    }
+    rgba[4 * i + 3] = 255 * coverage;
   }
   return { width: size, height: size, rgba };
 }
 
-function toned(rgb: Rgb, { tint, brightness, chroma, log }: ToneSettings): readonly number[] {
-  const grey = tint === 'rgb' ? null : channelOf(rgb, tint);
-  const most = chroma ? Math.max(...rgb, 1e-9) : 1;
-  const gain = chroma ? 1 / most : 2 ** brightness;
-  return rgb.map((value) => {
-    const linear = gain * (grey ?? value);
-    if (!log) return encodeSrgb(linear);
-    return 255 * (1 + Math.log10(Math.max(linear, 1e-12)) / DECADES);
-  });
-}
+const encodeLog = (linear: number) => 255 * (1 + Math.log10(Math.max(linear, 1e-12)) / DECADES);
 
-export function encodeSrgb(value: number): number {
-  const v = Math.max(0, Math.min(1, value));
+/** Enough steps that neighbours are less than a quarter of an 8-bit level apart where the curve is steepest. */
+const STEPS = 16384;
+const SRGB = Float32Array.from({ length: STEPS + 1 }, (_, i) => {
+  const v = i / STEPS;
   return 255 * (v <= 0.0031308 ? 12.92 * v : 1.055 * v ** (1 / 2.4) - 0.055);
+});
+
+/** 0 to 255; what is not a number is black. */
+export function encodeSrgb(value: number): number {
+  return SRGB[Math.round(STEPS * Math.max(0, Math.min(1, value)))] ?? 0;
 }
 
 /**

@@ -1,4 +1,5 @@
 /** Every view of the bench: its name, what draws it, and which settings it has. */
+import { azimuthView } from './azimuth.ts';
 import { cartesianView } from './cartesian.ts';
 import type { View } from './frame.ts';
 import { lobeView } from './lobe.ts';
@@ -15,6 +16,7 @@ export type ControlKey =
   | 'thetaD'
   | 'turns'
   | 'parameter'
+  | 'substance'
   | 'term'
   | 'channel'
   | 'tint'
@@ -78,6 +80,12 @@ export const viewInfo: Readonly<Record<BenchView, ViewInfo>> = {
     view: cartesianView,
     controls: [...azimuth, ...curve],
   },
+  azimuth: {
+    label: 'φ polar',
+    tip: 'The same over the azimuth, from above: round, unless the model is anisotropic',
+    view: azimuthView,
+    controls: [...azimuth, ...curve],
+  },
   albedo: {
     label: 'Albedo',
     tip: 'The share of light that is reflected, over the angle of the viewer',
@@ -113,6 +121,12 @@ export const viewInfo: Readonly<Record<BenchView, ViewInfo>> = {
     tip: 'The selected object under one light, evaluated in float64; drag to move the light',
     view: objectView,
     controls: lit,
+  },
+  fresnel: {
+    label: 'Fresnel',
+    tip: 'The reflectance of a real substance over the angle of incidence: exact, and as Schlick has it',
+    view: cartesianView,
+    controls: ['substance', 'channel', 'log', 'range'],
   },
   verdict: {
     label: 'Verdict',
