@@ -32,11 +32,9 @@ export async function pathTraced(document: Document, options: RenderOptions): Pr
     } finally {
       bar.clear();
     }
+    if (interruption.signal.aborted) say('interrupted: nothing was rendered');
     for (const { shot, record } of open) {
-      if (interruption.signal.aborted) {
-        say(`interrupted: ${shot.path} was not begun`);
-        break;
-      }
+      if (interruption.signal.aborted) break;
       await renderShot(machine, shot, record, options, interruption.signal);
     }
     return interruption.exitCode;

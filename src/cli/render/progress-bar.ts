@@ -2,8 +2,8 @@
 import type { PassesState, Until } from './passes.ts';
 
 const BAR = 20;
-/** Seconds between updates. */
-const REDRAW = { terminal: 0.1, log: 10 } as const;
+/** Seconds between updates; a log has its first one earlier, so that one sees how long it will take. */
+const PERIODS = { terminal: 0.1, log: 10, firstOfLog: 1 } as const;
 
 export interface ProgressStream {
   readonly isTTY?: boolean;
@@ -34,7 +34,8 @@ export class ProgressBar {
 
   update(state: PassesState): void {
     const { isTTY = false } = this.#stream;
-    if (state.seconds - this.#shown < (isTTY ? REDRAW.terminal : REDRAW.log)) return;
+    const period = isTTY ? PERIODS.terminal : this.#shown === 0 ? PERIODS.firstOfLog : PERIODS.log;
+    if (state.seconds - this.#shown < period) return;
     this.#shown = state.seconds;
     const text = `${this.#title}${Math.floor(100 * state.part)} %, ${this.#figures(state)}`;
     if (!isTTY) {
