@@ -1,7 +1,7 @@
 import { builtinFloat64 } from './float64-builtins.ts';
 import { arithmetic, constructFloat64, zeroOf } from './float64-values.ts';
 import type { Expr, FunctionIR, Program, Stmt, Value, Variable } from './ir.ts';
-import { componentCount } from './types.ts';
+import { componentCount, scalarOf, type Type } from './types.ts';
 
 /**
  * The typed program as float64 functions: a closure per node, no eval. It is the oracle that every GPU
@@ -154,8 +154,11 @@ export class Float64Program {
       case 'unary': {
         const operand = this.expression(e.operand);
         if (e.operator === '!') return () => !operand();
-        if (e.operator === '~') return () => map(operand(), (x) => ~x);
-        return e.type.kind === 'scalar' ? () => -(operand() as number) : () => map(operand(), (x) => -x);
+        if (e.operator === '~') return this.wrapped(e.type, () => map(operand(), (x) => ~x));
+        return this.wrapped(
+          e.type,
+          e.type.kind === 'scalar' ? () => -(operand() as number) : () => map(operand(), (x) => -x),
+        );
       }
       case 'binary':
         return this.binary(e);
@@ -219,10 +222,13 @@ export class Float64Program {
       case 'step': {
         const [read, store] = [this.expression(e.target), this.store(e.target)];
         const change = e.operator === '++' ? 1 : -1;
+        let before: Value = 0;
+        const next = this.wrapped(e.type, () => map(before, (x) => x + change));
         return () => {
-          const before = read();
-          const after = store(map(before, (x) => x + change));
-          return e.prefix ? after : before;
+          before = read();
+          const old = before;
+          const after = store(next());
+          return e.prefix ? after : old;
         };
       }
       case 'sequence': {
@@ -230,6 +236,14 @@ export class Float64Program {
         return () => items.reduce<Value>((_, item) => item(), 0);
       }
     }
+  }
+
+  /** Whole numbers of 32 bits go round. */
+  private wrapped(type: Type, run: Run): Run {
+    const base = scalarOf(type);
+    if (base === 'uint') return () => map(run(), (x) => x >>> 0);
+    if (base === 'int') return () => map(run(), (x) => x | 0);
+    return run;
   }
 
   private binary(e: Extract<Expr, { kind: 'binary' }>): Run {

@@ -95,3 +95,12 @@ vec3 BRDF(vec3 L, vec3 V, vec3 N, vec3 X, vec3 Y) { ${body} }
   expect(model('return vec3(loadFloat(0));')).toThrow('there is no function loadFloat');
   expect(model('return vec3(floatBitsToUint(L.x));')).toThrow('there is no function floatBitsToUint');
 });
+
+test('whole numbers of 32 bits go round', () => {
+  expect(run('uint f(uint x) { return ~x; }', 'f', [0])).toBe(0xffffffff);
+  expect(run('uint f(uint x) { return -x; }', 'f', [1])).toBe(0xffffffff);
+  expect(run('uint f(uint x) { return x--; }', 'f', [0])).toBe(0);
+  expect(run('uint f(uint x) { return --x; }', 'f', [0])).toBe(0xffffffff);
+  expect(run('int f(int x) { return ++x; }', 'f', [0x7fffffff])).toBe(-0x80000000);
+  expect(run('uint f() { return ~0u; }', 'f')).toBe(0xffffffff);
+});
