@@ -200,15 +200,22 @@ export class Director {
       this.#options.post({ kind: 'exr', file: null });
       return;
     }
-    const film = await (await this.#stage).tracer.film();
-    const { seed, maxDepth, clamp } = rendering.wish.settings;
+    const { tracer } = await this.#stage;
+    const film = await tracer.film();
+    const { camera, settings } = rendering.wish;
+    const { seed, maxDepth, clamp, strategy } = settings;
+    // Names as `irradia render` writes them.
     const attributes = {
-      document: documentName,
-      // The last sample is that of every pixel: a pass counts only when it is whole.
-      samples: `0:${film.count[0] ?? 0}`,
-      seed: String(seed),
-      maxDepth,
-      clamp: String(clamp),
+      'irradia:renderer': 'pathtracer',
+      'irradia:name': documentName,
+      // Every pixel has the same number: a pass counts only when it is whole.
+      'irradia:samples': `0:${film.count[0] ?? 0}`,
+      'irradia:camera': JSON.stringify(camera),
+      'irradia:seed': String(seed),
+      'irradia:maxDepth': maxDepth,
+      'irradia:clamp': String(clamp),
+      'irradia:strategy': strategy,
+      'irradia:device': tracer.device,
     };
     const file = new Uint8Array(exrOf(film, attributes));
     this.#options.post({ kind: 'exr', file }, [file.buffer]);

@@ -1,0 +1,53 @@
+import { describe, expect, it } from 'vitest';
+import { fractionOf, describe as say } from '../../../src/editor/path-tracing/figures.ts';
+import type { Figures } from '../../../src/editor/path-tracing/messages.ts';
+import { nextPass } from '../../../src/editor/path-tracing/schedule.ts';
+
+/** The passes of a machine that takes so many seconds for a sample of each pixel. */
+function passes(secondsPerSample: number, goal: number): number[] {
+  const counts: number[] = [];
+  for (let done = 0; done < goal; ) {
+    const count = nextPass(done, done * secondsPerSample, goal);
+    counts.push(count);
+    done += count;
+  }
+  return counts;
+}
+
+describe('the schedule of passes', () => {
+  it('doubles what is there, up to the goal and no further', () => {
+    expect(passes(1e-6, 100)).toEqual([1, 1, 2, 4, 8, 16, 32, 36]);
+    expect(passes(1e-6, 1)).toEqual([1]);
+  });
+
+  it('stays with one sample on a slow machine, and with half a second on others', () => {
+    expect(passes(3, 4)).toEqual([1, 1, 1, 1]);
+    expect(passes(0.1, 16)).toEqual([1, 1, 2, 4, 4, 4]);
+  });
+
+  it('takes no more samples at once than float32 sums bear', () => {
+    expect(Math.max(...passes(1e-9, 4096))).toBe(256);
+  });
+});
+
+describe('what is said of the picture', () => {
+  const figures: Figures = { samples: 64, seconds: 75.2, error: 0.04, pathsPerSecond: 2.5e6, reached: null };
+
+  it('has samples, time, error and speed; then that it is complete or paused', () => {
+    const picture = { kind: 'picture' as const, figures };
+    expect(say(picture, false)).toBe('64 samples/pixel · 1 min 15 s · error 4.0 % · 2.5 Mpaths/s');
+    expect(say(picture, true)).toMatch(/paused$/);
+    const complete = { kind: 'picture' as const, figures: { ...figures, reached: 'error' as const } };
+    expect(say(complete, true)).toMatch(/complete$/);
+    expect(say({ kind: 'failed', message: 'the scene takes 5 bytes' }, false)).toBe(
+      'the scene takes 5 bytes',
+    );
+  });
+
+  it('is as complete as the nearer goal: the error needs four times the samples to halve', () => {
+    const picture = { kind: 'picture' as const, figures };
+    expect(fractionOf(picture, { samples: 128, error: 0 })).toBe(0.5);
+    expect(fractionOf(picture, { samples: 6400, error: 0.02 })).toBe(0.25);
+    expect(fractionOf({ kind: 'starting', phase: 'packing', part: 0 }, { samples: 1, error: 0 })).toBeNull();
+  });
+});
