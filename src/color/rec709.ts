@@ -11,7 +11,7 @@ export const XYZ_TO_RGB: Matrix3 = [
 /** XYZ of white, RGB 1 1 1: D65 with Y = 1. */
 export const WHITE_XYZ: Triple = transform(inverse(XYZ_TO_RGB), [1, 1, 1]);
 
-/** Y of a colour, by the four digits of Rec. 709. */
+/** Y of a colour, by the four digits of ITU-R BT.709-6, item 3.2. */
 export function luminance([r, g, b]: Triple): number {
   return 0.2126 * r + 0.7152 * g + 0.0722 * b;
 }
