@@ -17,6 +17,7 @@ import type { Model } from '../glsl/model.ts';
 import { glslFunction } from '../glsl/tsl.ts';
 import type { BrdfMaterial } from './brdf-material.ts';
 import { dependsOnTangent } from './tangent-dependence.ts';
+import { ensureTangents } from './tangents.ts';
 
 type Vec3 = Node<'vec3'>;
 
@@ -77,13 +78,6 @@ const tangentMatters = uniform(0).onObjectUpdate(({ material, object }) => {
   if (matters && object) ensureTangents((object as unknown as Mesh).geometry);
   return Number(matters);
 }) as unknown as Node<'float'>;
-
-/** Computes the tangents of a mesh from its texture coordinates, if they are missing and can be had. */
-export function ensureTangents(geometry: BufferGeometry): void {
-  const { index, attributes } = geometry;
-  if (!index || !attributes.position || !attributes.normal || !attributes.uv || attributes.tangent) return;
-  geometry.computeTangents();
-}
 
 /**
  * A unit vector orthogonal to N, without branches: T. Duff et al., 2017, "Building an Orthonormal Basis,

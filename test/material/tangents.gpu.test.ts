@@ -34,6 +34,15 @@ test('a mesh is given the tangents of its texture coordinates as soon as they ma
   expect(difference(second, reference)).toBe(0);
 });
 
+test('so is one whose triangles list their vertices', async () => {
+  const geometry = sphere().toNonIndexed();
+  await drawSphere(renderer, geometry, brushed(), [light]);
+  expect(geometry.hasAttribute('tangent')).toBe(true);
+  expect(geometry.index).toBeNull();
+  const second = await drawSphere(renderer, geometry, brushed(), [light]);
+  expect(difference(second, reference)).toBeLessThan(1e-5);
+});
+
 test('an isotropic material leaves its mesh alone', async () => {
   const geometry = sphere();
   await drawSphere(renderer, geometry, new BrdfMaterial(modelNamed('principled')), [light]);

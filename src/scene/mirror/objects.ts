@@ -1,8 +1,8 @@
 /** The objects of the document as meshes. */
 import * as THREE from 'three/webgpu';
 import { BrdfMaterial } from '../../material/brdf-material.ts';
-import { ensureTangents } from '../../material/shading-frame.ts';
 import { dependsOnTangent } from '../../material/tangent-dependence.ts';
+import { ensureTangents } from '../../material/tangents.ts';
 import type { Document, SceneObject } from '../schema.ts';
 import { diff } from './diff.ts';
 import type { GeometryCache, GeometryUse } from './geometry.ts';
