@@ -8,7 +8,6 @@ import type { Model } from '../../glsl/model.ts';
 import type { AssetLoader } from '../../scene/assets.ts';
 import { findModel } from '../../scene/models.ts';
 import type { Document, SceneObject } from '../../scene/schema.ts';
-import { writeTriangleLights } from './emitters.ts';
 import { PathTracerError } from './error.ts';
 import { type Placement, placementOf, rowsOf, worldBox, writeInstanceTree } from './instances.ts';
 import {
@@ -17,19 +16,18 @@ import {
   INSTANCE,
   INSTANCE_FLAGS,
   INSTANCE_SLOTS,
-  LIGHT_SLOTS,
-  LIGHT_TYPES,
   MATERIAL_SLOTS,
   NONE,
   WORDS_PER_SLOT,
 } from './layout.ts';
-import { type TreeLight, writeLightTree } from './light-tree.ts';
-import { type LightRecord, lightRecord, lightSlot, writeLight } from './lights.ts';
-import { type Emission, emissionOf, type UsedMaterial, writeMaterials } from './materials.ts';
+import { writeLights } from './light-list.ts';
+import { type UsedMaterial, writeMaterials } from './materials.ts';
 import { type PackedMesh, placeMesh } from './mesh.ts';
 import { Meshes } from './meshes.ts';
 import { Pace } from './pace.ts';
-import { type SkyDistribution, type SkyMap, SkyMaps, skyDistribution, uniformSky, writeSky } from './sky.ts';
+import { Places } from './places.ts';
+import type { Instance, Scene } from './scene.ts';
+import { SkyMaps, skyDistribution, uniformSky, writeSky } from './sky.ts';
 import { srgbTable } from './srgb.ts';
 import { Images, TextureTable } from './textures.ts';
 import { Words } from './words.ts';
@@ -59,15 +57,6 @@ export interface PackOptions {
 const MAX_BYTES = 2 ** 32;
 /** The part of the progress that is the meshes'. */
 const MESHES_PART = 0.85;
-
-/** A visible object. */
-interface Instance {
-  readonly object: SceneObject;
-  readonly placement: Placement;
-  readonly mesh: PackedMesh;
-  /** Its material's place among the scene's. */
-  readonly material: number;
-}
 
 export class ScenePacker {
   readonly #meshes: Meshes;
@@ -133,17 +122,6 @@ export class ScenePacker {
   }
 }
 
-/** Everything that is written, as it is known before anything is. */
-interface Scene {
-  readonly document: Document;
-  readonly instances: readonly Instance[];
-  readonly materials: readonly UsedMaterial[];
-  readonly models: readonly Model[];
-  readonly textures: TextureTable;
-  readonly map: SkyMap | null;
-  readonly distribution: SkyDistribution;
-}
-
 function visibleObjects({ objects }: Document): { objects: SceneObject[]; placements: Placement[] } {
   const found = Object.values(objects).flatMap((object) => {
     const placement = object.visible ? placementOf(object) : null;
@@ -174,36 +152,6 @@ function usedMaterials(
     materials.push({ material, model, modelIndex });
   }
   return { materials, models, indexOf };
-}
-
-/** Where the large parts lie, in the order in which they are asked for. */
-class Places {
-  #words = HEADER_SLOTS * WORDS_PER_SLOT;
-  readonly #parts: { at: number; place: (memory: Uint32Array<ArrayBuffer>, at: number) => void }[] = [];
-
-  get words(): number {
-    return this.#words;
-  }
-
-  /** Reserves whole slots. @returns the word at which they begin */
-  reserve(words: number, place: (memory: Uint32Array<ArrayBuffer>, at: number) => void): number {
-    const at = this.#words;
-    this.#parts.push({ at, place });
-    this.#words += WORDS_PER_SLOT * Math.ceil(words / WORDS_PER_SLOT);
-    return at;
-  }
-
-  floats(values: Float32Array): number {
-    return this.reserve(values.length, (memory, at) => new Float32Array(memory.buffer).set(values, at));
-  }
-
-  bytes(values: Uint8Array): number {
-    return this.reserve(values.length / 4, (memory, at) => new Uint8Array(memory.buffer).set(values, 4 * at));
-  }
-
-  write(memory: Uint32Array<ArrayBuffer>): void {
-    for (const { at, place } of this.#parts) place(memory, at);
-  }
 }
 
 async function assemble(scene: Scene, maxBytes: number, pace: Pace): Promise<PackedScene> {
@@ -260,67 +208,6 @@ async function assemble(scene: Scene, maxBytes: number, pace: Pace): Promise<Pac
     stack: tree.stack + Math.max(0, ...instances.map(({ mesh }) => mesh.stack)),
   };
 }
-
-interface WrittenLights {
-  readonly slot: number;
-  /** The first so many are rectangles. */
-  readonly rectangles: number;
-  readonly finite: number;
-  readonly infiniteSlot: number;
-  readonly infinite: number;
-  /** Root of the tree; 0 without finite lights. */
-  readonly root: number;
-  /** The sky's place among the infinite lights. */
-  readonly sky: number;
-  /** The first light of each instance's triangles, NONE for what does not shine. */
-  readonly firstOf: readonly number[];
-}
-
-async function writeLights(words: Words, scene: Scene, pace: Pace): Promise<WrittenLights> {
-  const { document, instances, materials, textures, distribution } = scene;
-  const records = Object.values(document.lights).flatMap((light) => lightRecord(light) ?? []);
-  // Rectangles come first: they are looked for along rays (kernel/integrator.glsl).
-  const isRectangle = ({ type }: LightRecord) => type === LIGHT_TYPES.rectangle;
-  const rectangles = records.filter(isRectangle);
-  const near = [...rectangles, ...records.filter((record) => record.bounds !== null && !isRectangle(record))];
-  const far = records.filter(({ bounds }) => bounds === null);
-  if (distribution.integral > 0) far.push(SKY_LIGHT);
-  const tree: TreeLight[] = [];
-
-  const slot = words.allocate(near.length * LIGHT_SLOTS);
-  for (const [light, record] of near.entries()) {
-    writeLight(words, lightSlot(slot, light), record);
-    if (record.bounds !== null) tree.push({ light, bounds: record.bounds });
-  }
-  let finite = near.length;
-  const firstOf: number[] = [];
-  const emissions = materials.map((used): Emission | null => emissionOf(used, textures));
-  for (const [i, { mesh, placement, material }] of instances.entries()) {
-    const emission = emissions[material] ?? null;
-    firstOf.push(emission === null ? NONE : finite);
-    if (emission === null) continue;
-    await writeTriangleLights(words, finite, mesh, placement, i, emission, tree, pace);
-    finite += mesh.triangles;
-  }
-  const infiniteSlot = words.allocate(far.length * LIGHT_SLOTS);
-  for (const [i, record] of far.entries()) writeLight(words, lightSlot(infiniteSlot, i), record);
-  const sky = far.indexOf(SKY_LIGHT);
-  const root = await writeLightTree(words, tree, pace, (light, trail) =>
-    words.setUint(lightSlot(slot, light), 3, trail),
-  );
-  return {
-    slot,
-    rectangles: rectangles.length,
-    finite,
-    infiniteSlot,
-    infinite: far.length,
-    root,
-    sky: sky < 0 ? NONE : sky,
-    firstOf,
-  };
-}
-
-const SKY_LIGHT: LightRecord = { type: LIGHT_TYPES.sky, a: 0, slots: [], bounds: null };
 
 function writeInstances(
   words: Words,
