@@ -6,7 +6,7 @@ beforeAll(() => built('cli'));
 test('--help lists the commands', async () => {
   const { code, stdout } = await irradia(['--help']);
   expect(code).toBe(0);
-  for (const name of ['serve', 'render', 'brdf list', 'brdf show', 'brdf eval']) {
+  for (const name of ['serve', 'render', 'merge', 'brdf list', 'brdf show', 'brdf eval']) {
     expect(stdout).toContain(`  irradia ${name}`);
   }
 });
@@ -38,6 +38,8 @@ test.each([
   [['render', 'lambert', '-o', 'a.jpg'], '-o a.jpg: expected a .png or an .exr'],
   [['render', 'lambert', '-o', 'a.png', '--size', '10'], '--size 10: expected WIDTHxHEIGHT'],
   [['render', 'lambert', '-o', 'a.png', '--size', '-3x10'], '--size -3x10: expected WIDTHxHEIGHT'],
+  [['render', 'lambert', '-o', 'a.exr', '--seed', '-1'], '--seed -1: expected 0 to 2147483647'],
+  [['merge', 'a.exr'], 'merge: expected -o OUT.exr or -o OUT.png'],
   [
     ['render', 'lambert', '-o', 'a.png', '--size', '--device', 'gpu'],
     "Option '--size' argument is ambiguous;",
@@ -57,6 +59,8 @@ test.each([
   [['render', 'lambert', '-o', 'no/such/folder/a.png'], 'there is no folder no/such/folder'],
   [['render', 'lambert', '-o', 'README.md/a.png'], 'there is no folder README.md'],
   [['render', 'models', '-o', 'a.png'], 'models: is a folder; expected a file'],
+  [['merge', 'nosuch.exr', '-o', 'a.exr'], 'nosuch.exr: there is no such file'],
+  [['merge', 'README.md', '-o', 'a.exr'], 'README.md: byte 4: not an OpenEXR file'],
   [['brdf', 'eval', 'models'], 'models: is a folder; expected a file'],
 ])('%j fails', async (words, problem) => {
   const { code, stdout, stderr } = await irradia(words);

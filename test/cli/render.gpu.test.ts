@@ -15,10 +15,11 @@ const write = (name: string, value: unknown): string => {
   return path;
 };
 
-/** Renders in software, so that every machine draws the same. */
+/** The interactive renderer in software, so that every machine draws the same. */
 async function render(subject: string, output: string, size: string): Promise<string> {
   const path = join(folder, output);
-  const result = await irradia(['render', subject, '-o', path, '--size', size, '--device', 'software']);
+  const options = ['--renderer', 'realtime', '--size', size, '--device', 'software'];
+  const result = await irradia(['render', subject, '-o', path, ...options]);
   expect(result).toEqual({ code: 0, stdout: '', stderr: '' });
   return path;
 }
@@ -57,7 +58,7 @@ vec3 BRDF(vec3 L, vec3 V, vec3 N, vec3 X, vec3 Y) { return albedo / 3.1415926535
   view: { exposure, toneMapping: 'none' },
 });
 
-describe('render', () => {
+describe('render --renderer realtime', () => {
   test('draws a scene that ships, of the size that was asked for', async () => {
     const { width, height, pixels } = await readPng(await render('thesis', 'thesis.png', '96x54'));
     expect([width, height]).toEqual([96, 54]);
@@ -115,6 +116,8 @@ describe('render', () => {
       output,
       '--size',
       '8x8',
+      '--renderer',
+      'realtime',
     ]);
     expect(code).toBe(1);
     expect(stderr).toMatch(/^irradia: .*bark\.png/);
@@ -134,7 +137,8 @@ describe('render', () => {
 
   test('refuses a picture that no GPU can hold', async () => {
     const output = join(folder, 'huge.png');
-    const { code, stderr } = await irradia(['render', 'lambert', '-o', output, '--size', '99999x1']);
+    const words = ['render', 'lambert', '-o', output, '--size', '99999x1', '--renderer', 'realtime'];
+    const { code, stderr } = await irradia(words);
     expect(code).toBe(1);
     expect(stderr).toMatch(/^irradia: --size 99999x1: at most \d+ pixels a side for png\n$/);
   });

@@ -10,12 +10,14 @@ import {
 } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
-import { beforeAll, describe, expect, test } from 'vitest';
+import { beforeAll, describe, expect, test, vi } from 'vitest';
 import { displayPixels } from '../../src/color/tone-mapping.ts';
 import { decodeExr } from '../../src/io/exr.ts';
 import { built, irradia, irradiaPath } from '../support/cli.ts';
 
 beforeAll(() => built('cli'));
+// Each picture is a process of its own, and other tests run beside.
+vi.setConfig({ testTimeout: 180_000 });
 
 const folder = mkdtempSync(join(tmpdir(), 'irradia-test-'));
 const path = (name: string) => join(folder, name);
