@@ -3,6 +3,7 @@
  * the CPU. Rendering is three.js's WebGPURenderer, on WebGPU or WebGL 2.
  */
 export { loadModel, shippedModels } from '../models/index.ts';
+export { type Fit, type FitOptions, type FitTarget, fitModel } from './analysis/fit/fit.ts';
 export {
   type Check,
   checkModel,
