@@ -167,7 +167,7 @@ function toggle(change: Change, key: BoolKey, label: string, tip: string): Contr
 }
 
 function lightControl(change: Change, placeLight: () => void): Control {
-  const label = 'Scene light';
+  const label = 'Light';
   const field = switchField(label, (lightInStep) => change({ lightInStep }));
   const place = h(
     'button',

@@ -137,6 +137,7 @@ function drawFloor(painter: Painter, view: Projection, scale: Scale): void {
   }
   painter.line([view.place([0, 0, 0]), view.place([1, 0, 0])], { color: colors.axis, width: 1.5 });
   painter.text('x', view.place([1.06, 0, 0]), { color: colors.faint, align: 'center' });
+  let lowest = Number.NEGATIVE_INFINITY;
   for (const { at, label } of scale.ticks) {
     if (at <= 0) continue;
     painter.line(circle(at, 0).map(view.place), { color: at > 0.99 ? colors.axis : colors.grid });
@@ -144,7 +145,8 @@ function drawFloor(painter: Painter, view: Projection, scale: Scale): void {
     const out = Math.hypot(view.back[0], view.back[1]) || 1;
     const [bx, by] = [view.back[0] / out, view.back[1] / out];
     const place = view.place([at * bx, at * by, 0]);
-    if (view.radius * at * view.back[2] > 8) {
+    if (view.radius * at * view.back[2] > 8 && place[1] - lowest > 11) {
+      lowest = place[1];
       painter.text(label, plus(place, [0, 8]), { color: colors.faint, align: 'center' });
     }
   }

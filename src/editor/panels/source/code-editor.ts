@@ -15,7 +15,7 @@ import {
 import { defaultKeymap, history, historyKeymap, indentWithTab } from '@codemirror/commands';
 import { bracketMatching, indentOnInput, indentUnit } from '@codemirror/language';
 import { lintGutter, setDiagnostics } from '@codemirror/lint';
-import { Compartment, EditorState } from '@codemirror/state';
+import { EditorState, Transaction } from '@codemirror/state';
 import {
   drawSelection,
   EditorView,
@@ -32,8 +32,10 @@ import { brdfLanguage } from './language.ts';
 export interface CodeEditor {
   readonly element: HTMLElement;
   text(): string;
-  /** Another text, without a way back to this one. */
+  /** Another text, without a way back to this one; from the first section on, which is after a long header. */
   open(text: string): void;
+  /** The same text as it has become elsewhere: only what differs is changed, so that the caret stays. */
+  replace(text: string): void;
   showFault(fault: SourceFault | null): void;
   focus(): void;
 }
@@ -85,7 +87,6 @@ export function createCodeEditor({ onChange, onLeave, parameters }: CodeEditorOp
   const element = document.createElement('div');
   element.className = 'source-editor';
   const root = element.attachShadow({ mode: 'open' });
-  const language = new Compartment();
   let opening = false;
 
   const extensions = [
@@ -100,7 +101,7 @@ export function createCodeEditor({ onChange, onLeave, parameters }: CodeEditorOp
     highlightActiveLine(),
     highlightActiveLineGutter(),
     autocompletion({ override: [(context) => complete(context, parameters())], icons: false }),
-    language.of(brdfLanguage()),
+    brdfLanguage(),
     theme,
     EditorView.contentAttributes.of({ 'aria-label': 'Source of the model', 'data-gramm': 'false' }),
     keymap.of([
@@ -134,12 +135,33 @@ export function createCodeEditor({ onChange, onLeave, parameters }: CodeEditorOp
       opening = true;
       view.setState(EditorState.create({ doc: text, extensions }));
       opening = false;
+      const at = Math.max(0, view.state.doc.toString().indexOf('::begin'));
+      view.dispatch({
+        selection: { anchor: at },
+        effects: EditorView.scrollIntoView(at, { y: 'start', yMargin: 24 }),
+      });
+    },
+    replace(text) {
+      opening = true;
+      const changes = difference(view.state.doc.toString(), text);
+      view.dispatch({ changes, annotations: Transaction.addToHistory.of(false), scrollIntoView: true });
+      opening = false;
     },
     showFault(fault) {
       view.dispatch(setDiagnostics(view.state, fault ? [diagnosticOf(view.state, fault)] : []));
     },
     focus: () => view.focus(),
   };
+}
+
+/** From the first character that differs to the last. */
+function difference(before: string, after: string): { from: number; to: number; insert: string } {
+  const shorter = Math.min(before.length, after.length);
+  let from = 0;
+  while (from < shorter && before[from] === after[from]) from++;
+  let end = 0;
+  while (end < shorter - from && before.at(-1 - end) === after.at(-1 - end)) end++;
+  return { from, to: before.length - end, insert: after.slice(from, after.length - end) };
 }
 
 function diagnosticOf({ doc }: EditorState, { line, column, message }: SourceFault) {

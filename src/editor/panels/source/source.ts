@@ -81,11 +81,11 @@ export function createSourcePanel({ store, state }: Session): HTMLElement {
     return editor;
   };
 
-  const read = (name: string, into: CodeEditor) => {
+  const read = (name: string, how: (text: string) => void) => {
     clearTimeout(timer);
     known = sourceOf(store.document, name);
     merge = newGesture();
-    into.open(known ?? '');
+    how(known ?? '');
     say(known === null ? null : faultOf(known, name));
   };
 
@@ -100,7 +100,7 @@ export function createSourcePanel({ store, state }: Session): HTMLElement {
     try {
       const ready = await ensureEditor();
       if (shown !== source) return;
-      read(source, ready);
+      read(source, ready.open);
       ready.focus();
     } catch (error) {
       toastError('The editor could not be loaded', error);
@@ -119,7 +119,7 @@ export function createSourcePanel({ store, state }: Session): HTMLElement {
   store.subscribe(({ document }) => {
     if (shown === null) return;
     if (!isOwn(document, shown)) state.set({ source: null });
-    else if (editor && sourceOf(document, shown) !== known) read(shown, editor);
+    else if (editor && sourceOf(document, shown) !== known) read(shown, editor.replace);
   });
   return element;
 }
