@@ -120,8 +120,8 @@ function parseSize(text: string): { width: number; height: number } {
   return { width, height };
 }
 
-/** Bytes of a pixel in a Film: 7 float64 and 8 float32 numbers; and about as many while it is written. */
-const FILM_BYTES_PER_PIXEL = 2 * (7 * 8 + 8 * 4);
+/** Bytes of a pixel in a Film: 7 float64 and 9 float32 numbers; and about as many while it is written. */
+const FILM_BYTES_PER_PIXEL = 2 * (7 * 8 + 9 * 4);
 
 /** Refuses a film that this machine's memory does not hold. */
 export function checkFilmSize({ width, height }: Pick<RenderOptions, 'width' | 'height'>): void {

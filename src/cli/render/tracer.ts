@@ -56,8 +56,8 @@ async function gpuMachine(): Promise<Machine> {
   // Whoever waits for it hears of it; that nobody may wait is no error.
   lost.catch(() => {});
   const onFatal = (message: string) => reject(new Error(message));
-  const { device, adapter } = await requestGpu({ device: 'gpu', onFatal });
-  const tracer = new GpuPathTracer(device, adapter.info.description);
+  const found = await requestGpu({ device: 'gpu', onFatal });
+  const tracer = new GpuPathTracer(found.device, found.adapter.info.description);
   return {
     tracer,
     pathsPerPass: PATHS_PER_PASS.gpu,
@@ -65,7 +65,8 @@ async function gpuMachine(): Promise<Machine> {
     lost,
     dispose() {
       tracer.dispose();
-      device.destroy();
+      // Dawn's instance must outlive its devices: `found` keeps it from the garbage collector.
+      found.device.destroy();
     },
   };
 }
