@@ -107,7 +107,11 @@ export async function checkSampler(context: Context): Promise<Check> {
         sample: (u) => {
           const l = context.evaluator.sampleL(u, v);
           if (l && !(Math.abs(Math.hypot(...l) - 1) < 1e-6)) wrong = 'not of length 1';
-          else if (l && !(l[2] >= 0)) wrong = 'below the surface';
+          else if (l && !(l[2] >= 0)) {
+            // Where light passes through, the other side is as good; what is tested is this one.
+            if (model.file.transmission) return null;
+            wrong = 'below the surface';
+          }
           return wrong ? null : l;
         },
         pdf: density(context, v),
