@@ -17,6 +17,8 @@ export class Film {
   readonly squares: Float64Array;
   /** What the first surface reflects of white light from everywhere, as far as one direction tells; RGB. */
   readonly albedo: Float32Array;
+  /** Squares of the samples' albedo, over R, G and B together. */
+  readonly albedoSquares: Float32Array;
   /** Shading normals of the first surface in the world. */
   readonly normal: Float32Array;
   /** Distances of the first surface in metres; 0 where there is none. */
@@ -32,6 +34,7 @@ export class Film {
     this.radiance = new Float64Array(3 * pixels);
     this.squares = new Float64Array(3 * pixels);
     this.albedo = new Float32Array(3 * pixels);
+    this.albedoSquares = new Float32Array(pixels);
     this.normal = new Float32Array(3 * pixels);
     this.depth = new Float32Array(pixels);
     this.alpha = new Float32Array(pixels);
@@ -39,12 +42,13 @@ export class Film {
 
   /** Adds what the kernel wrote for pixels `from` and following. @param values FILM_FLOATS a pixel */
   add(values: Float32Array, from = 0): void {
-    const { count, radiance, squares, albedo, normal, depth, alpha } = this;
+    const { count, radiance, squares, albedo, albedoSquares, normal, depth, alpha } = this;
     const pixels = values.length / FILM_FLOATS;
     for (let i = 0; i < pixels; i++) {
       const at = FILM_FLOATS * i;
       const pixel = from + i;
       count[pixel]! += values[at + 3]!;
+      albedoSquares[pixel]! += values[at + 11]!;
       depth[pixel]! += values[at + 16]!;
       alpha[pixel]! += values[at + 17]!;
       for (let c = 0; c < 3; c++) {

@@ -6,6 +6,7 @@ void renderPixel(int pixel, int film, uint first, uint count) {
   vec3 radiance = vec3(0.0);
   vec3 squares = vec3(0.0);
   vec3 albedo = vec3(0.0);
+  float albedoSquares = 0.0;
   vec3 normal = vec3(0.0);
   float distance = 0.0;
   float alpha = 0.0;
@@ -17,6 +18,7 @@ void renderPixel(int pixel, int film, uint first, uint count) {
     radiance += sampled;
     squares += sampled * sampled;
     albedo += pathAlbedo;
+    albedoSquares += dot(pathAlbedo, pathAlbedo);
     normal += pathNormal;
     distance += pathDistance;
     alpha += pathAlpha;
@@ -24,7 +26,7 @@ void renderPixel(int pixel, int film, uint first, uint count) {
   }
   filmStore(film, filmLoad(film) + vec4(radiance, float(count)));
   filmStore(film + 1, filmLoad(film + 1) + vec4(squares, 0.0));
-  filmStore(film + 2, filmLoad(film + 2) + vec4(albedo, 0.0));
+  filmStore(film + 2, filmLoad(film + 2) + vec4(albedo, albedoSquares));
   filmStore(film + 3, filmLoad(film + 3) + vec4(normal, 0.0));
   filmStore(film + 4, filmLoad(film + 4) + vec4(distance, alpha, 0.0, 0.0));
 }
