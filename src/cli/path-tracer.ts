@@ -22,6 +22,8 @@ function spawn(): WorkerPort {
     onError: (listener) => {
       worker.on('error', (error) => listener(error.message));
       worker.on('messageerror', (error) => listener(error.message));
+      // Without an error: something ended the thread. After terminate() nobody listens any more.
+      worker.on('exit', (code) => listener(`it ended with code ${code}`));
     },
     terminate: () => void worker.terminate(),
   };
