@@ -2,9 +2,12 @@
 import type { SourceText, Transmission } from '../brdf/model.ts';
 import { compileKernel, type Kernel, kernelSource } from '../glsl/kernel.ts';
 import type { Model } from '../glsl/model.ts';
-import { genericSampler } from '../material/generic-sampler.ts';
 import camera from './kernel/camera.glsl?raw';
 import constants from './kernel/constants.glsl?raw';
+import distribution from './kernel/distribution.glsl?raw';
+import genericSampler from './kernel/generic-sampler.glsl?raw';
+import genericSurface from './kernel/generic-surface.glsl?raw';
+import genericTable from './kernel/generic-table.glsl?raw';
 import integrator from './kernel/integrator.glsl?raw';
 import lightTree from './kernel/light-tree.glsl?raw';
 import lights from './kernel/lights.glsl?raw';
@@ -25,6 +28,9 @@ const parts: readonly (readonly [name: string, text: string])[] = [
   ['texture.glsl', textures],
   ['traverse.glsl', traverse],
   ['surface.glsl', surface],
+  ['distribution.glsl', distribution],
+  ['generic-sampler.glsl', genericSampler],
+  ['generic-surface.glsl', genericSurface],
   ['sky.glsl', sky],
   ['light-tree.glsl', lightTree],
   ['lights.glsl', lights],
@@ -34,70 +40,86 @@ const parts: readonly (readonly [name: string, text: string])[] = [
   ['main.glsl', main],
 ];
 
+/** The part of them that the tabulation of the generic sampler needs. */
+const tableParts: typeof parts = [
+  ['constants.glsl', constants],
+  ['models.glsl', modelPrototypes],
+  ['distribution.glsl', distribution],
+  ['generic-sampler.glsl', genericSampler],
+  ['generic-table.glsl', genericTable],
+];
+
 /**
  * @param models in the order of the numbers that the scene's materials have for them
  * @returns with the entries `renderPixel(int pixel, int film, uint first, uint count)` and
  *   `renderPixels(int from, int to, uint first, uint count)`
  */
 export function pathTracerKernel(models: readonly Model[]): Kernel {
-  const source: SourceText = {
-    lines: [
-      ...kernelSource('models', `const int MAX_PARAMETERS = ${Math.max(1, ...models.map(parameterSlots))};`)
-        .lines,
-      ...parts.flatMap(([name, text]) => kernelSource(name, text).lines),
-      ...kernelSource('models', modelFunctions(models)).lines,
-    ],
-  };
-  return compileKernel(source, [...models, genericSampler]);
+  const functions = [modelFunctions(models), samplerFunctions(models)].join('');
+  return compileKernel(kernelOf(models, parts, functions), models);
 }
 
 /**
- * How many slots of parameters a material of this model has: one for each, and one for the width of the generic
- * sampler's highlight where the model brings no sampler.
+ * @returns with the entries `setMaterial(int slot, int count)` and `tabulateView(...)` of kernel/generic-table.glsl, and
+ *   `genericSample()` and `genericPdf()` of kernel/generic-sampler.glsl
  */
-export function parameterSlots(model: Model): number {
-  return model.parameters.length + (model.hasSampling ? 0 : 1);
+export function genericTableKernel(model: Model): Kernel {
+  return compileKernel(kernelOf([model], tableParts, modelFunctions([model])), [model]);
+}
+
+function kernelOf(models: readonly Model[], files: typeof parts, functions: string): SourceText {
+  const most = Math.max(1, ...models.map(({ parameters }) => parameters.length));
+  const texts = [['models', `const int MAX_PARAMETERS = ${most};`], ...files, ['models', functions]] as const;
+  return { lines: texts.flatMap(([name, text]) => kernelSource(name, text).lines) };
 }
 
 const FRAME = 'surfaceV, surfaceN, surfaceX, surfaceY';
 
-/** The functions of kernel/models.glsl. */
+function eachModel(models: readonly Model[], write: (model: Model, index: number) => string): string {
+  return models.map((model, i) => `if (model == ${i}u) { ${write(model, i)} }`).join('\n  else ');
+}
+
+/** The functions of kernel/models.glsl that sample. */
+function samplerFunctions(models: readonly Model[]): string {
+  return `
+vec3 modelSample(uint model, vec2 u) {
+  ${eachModel(models, ({ hasSampling }, i) =>
+    hasSampling ? `return model${i}_sampleL(u, ${FRAME});` : 'return sampleGenerically(model, u);',
+  )}
+  return vec3(0.0);
+}
+float modelPdf(uint model, vec3 L) {
+  ${eachModel(models, ({ hasSampling }, i) =>
+    hasSampling ? `return model${i}_pdf(L, ${FRAME});` : 'return genericDensity(model, L);',
+  )}
+  return 0.0;
+}
+`;
+}
+
+/** The other functions of kernel/models.glsl. */
 function modelFunctions(models: readonly Model[]): string {
-  const generic = models.length;
-  const each = (write: (model: Model, index: number) => string) =>
-    models.map((model, i) => `if (model == ${i}u) { ${write(model, i)} }`).join('\n  else ');
   const through = (write: (transmission: Transmission, name: (parameter: string) => string) => string) =>
     models
       .flatMap(({ file: { transmission } }, i) =>
         transmission ? `if (model == ${i}u) { ${write(transmission, (name) => `model${i}_${name}`)} }` : [],
       )
       .join('\n  else ');
-  const sampler = (model: Model, i: number) => `model${model.hasSampling ? i : generic}`;
-  const set = (model: Model, i: number) => {
-    const assignments = model.parameters.map(({ name, type }, k) => {
-      const value = `surfaceParameters[${k}]`;
-      const converted = type === 'color' ? value : type === 'bool' ? `${value}.x > 0.5` : `${value}.x`;
-      return `model${i}_${name} = ${converted};`;
-    });
-    if (!model.hasSampling)
-      assignments.push(`model${generic}_alpha = surfaceParameters[${model.parameters.length}].x;`);
-    return assignments.join('\n    ');
-  };
+  const set = (model: Model, i: number) =>
+    model.parameters
+      .map(({ name, type }, k) => {
+        const value = `surfaceParameters[${k}]`;
+        const converted = type === 'color' ? value : type === 'bool' ? `${value}.x > 0.5` : `${value}.x`;
+        return `model${i}_${name} = ${converted};`;
+      })
+      .join('\n    ');
   return `
 void setParameters(uint model) {
-  ${each(set)}
+  ${eachModel(models, set)}
 }
 vec3 modelBRDF(uint model, vec3 L) {
-  ${each((_, i) => `return model${i}_BRDF(L, ${FRAME});`)}
+  ${eachModel(models, (_, i) => `return model${i}_BRDF(L, ${FRAME});`)}
   return vec3(0.0);
-}
-vec3 modelSample(uint model, vec2 u) {
-  ${each((model, i) => `return ${sampler(model, i)}_sampleL(u, ${FRAME});`)}
-  return vec3(0.0);
-}
-float modelPdf(uint model, vec3 L) {
-  ${each((model, i) => `return ${sampler(model, i)}_pdf(L, ${FRAME});`)}
-  return 0.0;
 }
 float modelIor(uint model) {
   ${through(({ ior }, name) => `return ${name(ior)};`)}

@@ -50,18 +50,6 @@ vec3 backgroundRadiance(vec3 d) {
   return sky == 0 ? vec3(0.0) : mapRadiance(sky, d);
 }
 
-// The cell of a cumulative distribution that u falls into: the last one that starts at or below u.
-int findCell(int cdf, int count, float u) {
-  int low = 0;
-  int high = count - 1;
-  while (low < high) {
-    int middle = (low + high + 1) / 2;
-    if (loadFloat(cdf + middle) <= u) low = middle;
-    else high = middle - 1;
-  }
-  return low;
-}
-
 // The density of sampleSky() in a cell, in 1/sr.
 float skyDensity(int x, int y, uvec4 grid, float cosLatitude) {
   int marginal = int(grid.z);

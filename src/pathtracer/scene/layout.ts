@@ -55,6 +55,9 @@ export const MATERIAL_SLOTS = 5;
 export const MATERIAL = { model: 0, emission: 1, scales: 2, textures: 3, channels: 4 } as const;
 export const MATERIAL_FLAGS = { doubleSided: 1, mask: 2, blend: 4, emits: 8, transmits: 16 } as const;
 
+/** The generic sampler's table; kernel/generic-sampler.glsl and generic-table.glsl have the same numbers. */
+export const GENERIC_TABLE = { rows: 128, columns: 32, views: 16, azimuths: 4, points: 4 } as const;
+
 /** In a parameter's w: the channel is above the slot of its texture use. */
 export const CHANNEL_SHIFT = 29;
 export const CHANNELS = { r: 0, g: 1, b: 2, a: 3, rgb: 4 } as const;

@@ -1,12 +1,18 @@
+import type { ParameterValue } from '../../brdf/model.ts';
 import { resolveParameters } from '../../brdf/values.ts';
-import { createEvaluator } from '../../glsl/evaluator.ts';
 import type { Model } from '../../glsl/model.ts';
-import { highlightAlpha } from '../../material/generic-sampler.ts';
 import type { Material, ScaledTextureRef } from '../../scene/schema.ts';
-import { parameterSlots } from '../kernel.ts';
-import { CHANNEL_SHIFT, CHANNELS, MATERIAL, MATERIAL_FLAGS, MATERIAL_SLOTS } from './layout.ts';
+import type { TabulatedMaterial } from './generic-table.ts';
+import {
+  CHANNEL_SHIFT,
+  CHANNELS,
+  GENERIC_TABLE,
+  MATERIAL,
+  MATERIAL_FLAGS,
+  MATERIAL_SLOTS,
+} from './layout.ts';
 import type { Texels } from './texels.ts';
-import { luminance, type Texture, type TextureTable } from './textures.ts';
+import { luminance, type Rgba, type Texture, type TextureTable, texelSampler } from './textures.ts';
 import type { Words } from './words.ts';
 
 type Rgb = [number, number, number];
@@ -45,16 +51,22 @@ function radianceOf({ emissive, emissiveIntensity, emissiveMap }: Material): Rgb
   return emissive.map((component) => component * strength) as Rgb;
 }
 
-/** Writes the materials, one behind the other. @returns the first one's slot */
+/**
+ * Writes the materials, one behind the other.
+ *
+ * @param tableSlots of the generic sampler's tables, 0 for none
+ * @returns the first one's slot
+ */
 export function writeMaterials(
   words: Words,
   materials: readonly UsedMaterial[],
   textures: TextureTable,
   wordOf: (texels: Texels) => number,
+  tableSlots: readonly number[],
 ): number {
   const first = words.allocate(materials.length * MATERIAL_SLOTS);
   for (const [i, used] of materials.entries())
-    writeMaterial(words, first + i * MATERIAL_SLOTS, used, textures, wordOf);
+    writeMaterial(words, first + i * MATERIAL_SLOTS, used, textures, wordOf, tableSlots[i] ?? 0);
   return first;
 }
 
@@ -64,6 +76,7 @@ function writeMaterial(
   { material, model, modelIndex }: UsedMaterial,
   textures: TextureTable,
   wordOf: (texels: Texels) => number,
+  tableSlot: number,
 ): void {
   const { alphaMode, opacity, opacityMap, alphaCutoff, normalMap, bumpMap, emissiveMap } = material;
   const use = (ref: ScaledTextureRef | null): number => textures.write(words, ref, wordOf);
@@ -78,7 +91,7 @@ function writeMaterial(
     (alphaMode === 'blend' ? MATERIAL_FLAGS.blend : 0) |
     (luminance(...radiance) > 0 ? MATERIAL_FLAGS.emits : 0);
   const parameters = writeParameters(words, material, model, textures, wordOf);
-  words.setUints(slot + MATERIAL.model, modelIndex, flags, parameters, parameterSlots(model));
+  words.setUints(slot + MATERIAL.model, modelIndex, flags, parameters, model.parameters.length);
   words.setFloats(
     slot + MATERIAL.emission,
     ...radiance,
@@ -98,7 +111,37 @@ function writeMaterial(
     use(emissiveMap),
     opaque ? 0 : use(opacityMap),
   );
-  words.setUints(slot + MATERIAL.channels, CHANNELS[opacityMap?.channel ?? 'a']);
+  words.setUints(slot + MATERIAL.channels, CHANNELS[opacityMap?.channel ?? 'a'], tableSlot);
+}
+
+/** The material at some places of its textures, which lie evenly over them. */
+export function tabulatedMaterial(
+  { material: { parameters, textures: refs }, model }: UsedMaterial,
+  textures: TextureTable,
+): TabulatedMaterial {
+  const values = resolveParameters(model.file, parameters);
+  const textured = model.parameters.flatMap(({ name }) => {
+    const texture = textures.find(refs[name]);
+    return texture ? [{ name, texel: texelSampler(texture), channel: refs[name]?.channel ?? 'r' }] : [];
+  });
+  const places = Array.from({ length: GENERIC_TABLE.points }, (_, i) => {
+    // A Fibonacci lattice.
+    const u = (i + 0.5) / GENERIC_TABLE.points;
+    const v = (i * ((Math.sqrt(5) - 1) / 2) + 0.5) % 1;
+    const here = textured.map(({ name, texel, channel }) => {
+      const value = values[name] ?? 0;
+      return [name, textureTimes(value, texel(u, v), CHANNELS[channel])] as const;
+    });
+    return { ...values, ...Object.fromEntries(here) };
+  });
+  return { model, places, isTextured: textured.length > 0 };
+}
+
+/** A parameter's value where its texture has this texel, as kernel/surface.glsl reads it. */
+function textureTimes(value: ParameterValue, [r, g, b, a]: Rgba, channel: number): ParameterValue {
+  if (typeof value === 'object') return [value[0] * r, value[1] * g, value[2] * b];
+  const product = Number(value) * ([r, g, b, a][channel] ?? 1);
+  return typeof value === 'boolean' ? product > 0.5 : product;
 }
 
 function writeParameters(
@@ -109,7 +152,7 @@ function writeParameters(
   wordOf: (texels: Texels) => number,
 ): number {
   const values = resolveParameters(model.file, parameters);
-  const first = words.allocate(parameterSlots(model));
+  const first = words.allocate(model.parameters.length);
   for (const [i, { name, type }] of model.parameters.entries()) {
     const value = values[name] ?? 0;
     words.setFloats(first + i, ...(typeof value === 'object' ? value : [Number(value)]));
@@ -118,7 +161,5 @@ function writeParameters(
     const channel = type === 'color' ? CHANNELS.rgb : CHANNELS[refs[name]?.channel ?? 'r'];
     words.setUint(first + i, 3, (texture | (channel << CHANNEL_SHIFT)) >>> 0);
   }
-  if (!model.hasSampling)
-    words.setFloats(first + model.parameters.length, highlightAlpha(createEvaluator(model, parameters)));
   return first;
 }

@@ -9,6 +9,7 @@ import type { AssetLoader } from '../../scene/assets.ts';
 import { findModel } from '../../scene/models.ts';
 import type { Document, SceneObject } from '../../scene/schema.ts';
 import { PathTracerError } from './error.ts';
+import { GenericTables } from './generic-table.ts';
 import { type Placement, placementOf, rowsOf, worldBox, writeInstanceTree } from './instances.ts';
 import {
   HEADER,
@@ -21,7 +22,7 @@ import {
   WORDS_PER_SLOT,
 } from './layout.ts';
 import { writeLights } from './light-list.ts';
-import { type UsedMaterial, writeMaterials } from './materials.ts';
+import { tabulatedMaterial, type UsedMaterial, writeMaterials } from './materials.ts';
 import { type PackedMesh, placeMesh } from './mesh.ts';
 import { Meshes } from './meshes.ts';
 import { Pace } from './pace.ts';
@@ -62,6 +63,7 @@ export class ScenePacker {
   readonly #meshes: Meshes;
   readonly #images: Images;
   readonly #skies: SkyMaps;
+  readonly #tables = new GenericTables();
 
   constructor(assets: AssetLoader) {
     this.#meshes = new Meshes(assets);
@@ -107,6 +109,10 @@ export class ScenePacker {
       materials.map(({ material }) => material),
       this.#images,
     );
+    const tables = await this.#tables.get(
+      materials.map((used) => tabulatedMaterial(used, textures)),
+      pace,
+    );
     const map = await this.#skies.get(document);
     signal?.throwIfAborted();
     const distribution = await skyDistribution(
@@ -115,7 +121,7 @@ export class ScenePacker {
       uniformSky(document),
       pace,
     );
-    const scene: Scene = { document, instances, materials, models, textures, map, distribution };
+    const scene: Scene = { document, instances, materials, models, textures, tables, map, distribution };
     const packed = await assemble(scene, maxBytes, pace);
     onProgress?.(1);
     return packed;
@@ -155,7 +161,7 @@ function usedMaterials(
 }
 
 async function assemble(scene: Scene, maxBytes: number, pace: Pace): Promise<PackedScene> {
-  const { document, instances, materials, models, textures, map, distribution } = scene;
+  const { document, instances, materials, models, textures, tables, map, distribution } = scene;
   const places = new Places();
   const meshWords = new Map<PackedMesh, number>();
   for (const { mesh } of instances) {
@@ -166,6 +172,12 @@ async function assemble(scene: Scene, maxBytes: number, pace: Pace): Promise<Pac
   }
   const imageWords = new Map(textures.images.map((texels) => [texels, places.bytes(texels.bytes)]));
   const dataWords = models.map(({ data }) => (data === null ? 0 : places.floats(data)));
+  const tableWords = new Map(
+    [...new Set(tables)].map((table) => [
+      table,
+      table === null ? 0 : places.reserve(table.length, (memory, at) => memory.set(table, at)),
+    ]),
+  );
   const hasSky = distribution.integral > 0;
   const skyPlaces = {
     texels: map === null || !hasSky ? 0 : places.floats(map.texels),
@@ -177,7 +189,13 @@ async function assemble(scene: Scene, maxBytes: number, pace: Pace): Promise<Pac
   const header = new Words();
   header.allocate(HEADER_SLOTS);
   const words = new Words(places.words);
-  const materialSlot = writeMaterials(words, materials, textures, (texels) => imageWords.get(texels) ?? 0);
+  const materialSlot = writeMaterials(
+    words,
+    materials,
+    textures,
+    (texels) => imageWords.get(texels) ?? 0,
+    tables.map((table) => (tableWords.get(table) ?? 0) / WORDS_PER_SLOT),
+  );
   const lights = await writeLights(words, scene, pace);
   const instanceSlot = writeInstances(words, instances, meshWords, materialSlot, lights.firstOf);
   const boxes = instances.flatMap(({ mesh, placement }) => worldBox(mesh.bounds!, placement.toWorld));

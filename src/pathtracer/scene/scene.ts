@@ -22,6 +22,8 @@ export interface Scene {
   readonly materials: readonly UsedMaterial[];
   readonly models: readonly Model[];
   readonly textures: TextureTable;
+  /** The generic sampler's, for each material; null for those whose model brings a sampler. */
+  readonly tables: readonly (Uint32Array<ArrayBuffer> | null)[];
   readonly map: SkyMap | null;
   readonly distribution: SkyDistribution;
 }

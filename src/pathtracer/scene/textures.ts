@@ -37,6 +37,8 @@ export function texturesOf(material: Material): TextureRef[] {
   return [...Object.values(material.textures), ...maps.filter((map) => map !== null)];
 }
 
+export type Rgba = readonly [number, number, number, number];
+
 /** A texture with the image that it shows. */
 export interface Texture {
   readonly ref: TextureRef;
@@ -107,8 +109,8 @@ export function uvRows({ repeat, offset, rotation }: TextureRef): [number[], num
   ];
 }
 
-/** The luminance of the texel at (u, v): no filter, for estimates. */
-export function luminanceSampler({ ref, texels }: Texture): (u: number, v: number) => number {
+/** The texel at (u, v), linear RGBA: no filter, for estimates. */
+export function texelSampler({ ref, texels }: Texture): (u: number, v: number) => Rgba {
   const { bytes, width, height } = texels;
   const [[a, b, c], [d, e, f]] = uvRows(ref) as [[number, number, number], [number, number, number]];
   const linear = ref.colorSpace === 'srgb' ? srgbTable : Array.from({ length: 256 }, (_, byte) => byte / 255);
@@ -116,7 +118,17 @@ export function luminanceSampler({ ref, texels }: Texture): (u: number, v: numbe
     Math.min(Math.floor((Number.isFinite(x) ? wrap(x, ref.wrap) : 0) * size), size - 1);
   return (u, v) => {
     const at = 4 * (texel(d * u + e * v + f, height) * width + texel(a * u + b * v + c, width));
-    return luminance(linear[bytes[at]!]!, linear[bytes[at + 1]!]!, linear[bytes[at + 2]!]!);
+    const [red, green, blue] = [linear[bytes[at]!]!, linear[bytes[at + 1]!]!, linear[bytes[at + 2]!]!];
+    return [red, green, blue, bytes[at + 3]! / 255];
+  };
+}
+
+/** The luminance of the texel at (u, v). */
+export function luminanceSampler(texture: Texture): (u: number, v: number) => number {
+  const texel = texelSampler(texture);
+  return (u, v) => {
+    const [r, g, b] = texel(u, v);
+    return luminance(r, g, b);
   };
 }
 
