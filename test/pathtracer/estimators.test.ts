@@ -151,6 +151,43 @@ describe('samples', () => {
     for (const [i, x] of whole.radiance.entries()) expect(halves.radiance[i]!).toBeCloseTo(x, 4);
   });
 
+  it('leave blue noise: neighbours complement one another', async () => {
+    // A wall under a panel: a smooth picture, so that all that differs from the reference is noise.
+    const document = scene({
+      camera: { fov: 30, position: [0, 0, 3], target: [0, 0, 0] },
+      lights: {
+        panel: {
+          type: 'rectangle',
+          luminance: 5,
+          position: [0, 0, 1],
+          target: [0, 0, 0],
+          width: 1.5,
+          height: 1.5,
+        },
+      },
+      objects: { wall: wall() },
+      materials: { m: material('lambert') },
+    });
+    const side = 64;
+    const size = { width: side, height: side, maxDepth: 1 };
+    const reference = (await trace(document, { samples: 512, seed: 4, ...size })).mean();
+    for (const samples of [1, 4]) {
+      const picture = (await trace(document, { samples, ...size })).mean();
+      const error = picture.map((x, i) => x - reference[i]!).filter((_, i) => i % 3 === 0);
+      const variance = error.reduce((sum, e) => sum + e * e, 0) / error.length;
+      // Means over 4 x 4 pixels: of white noise they have 1/16 of the variance.
+      let blocks = 0;
+      for (let y = 0; y < side; y += 4) {
+        for (let x = 0; x < side; x += 4) {
+          let sum = 0;
+          for (let i = 0; i < 16; i++) sum += error[(y + (i >> 2)) * side + x + (i & 3)]!;
+          blocks += (sum / 16) ** 2 / (side / 4) ** 2;
+        }
+      }
+      expect(blocks / (variance / 16), `${samples} samples`).toBeLessThan(0.3);
+    }
+  });
+
   it('converge: four times as many have about half the error', async () => {
     const document = corner();
     const tracer = testTracer();
