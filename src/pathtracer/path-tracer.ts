@@ -15,7 +15,7 @@ export interface PathTracer {
   start(camera: Camera, settings: RenderSettings): void;
 
   /**
-   * Adds the samples `first` to `first + count - 1` of every pixel to the film.
+   * Adds the samples `first` to `first + count - 1` of every pixel, or of those in some tiles, to the film.
    *
    * @param options.onProgress is called with 0 to 1
    * @throws AbortError by the signal: the film is then as it was before the call
@@ -29,7 +29,12 @@ export interface PathTracer {
   dispose(): void;
 }
 
+/** 1 for every tile (tiles.ts) that is meant, row by row; otherwise 0. */
+export type TileMask = Uint8Array;
+
 export interface PassOptions {
+  /** The tiles to take; all of them unless said otherwise. */
+  readonly tiles?: TileMask;
   readonly signal?: AbortSignal;
   onProgress?(part: number): void;
 }

@@ -7,6 +7,7 @@ import type { PassOptions, PathTracer } from '../path-tracer.ts';
 import { type RenderSettings, writeCamera, writeSettings } from '../scene/camera.ts';
 import { HEADER, HEADER_SLOTS, WORDS_PER_SLOT } from '../scene/layout.ts';
 import type { PackedScene } from '../scene/pack.ts';
+import { maskedPixels, pixelRuns, type Run } from '../tiles.ts';
 import type { FromWorker, WorkerPort } from './protocol.ts';
 import { MAX_JOB_PIXELS, sharedMemory } from './worker-core.ts';
 
@@ -22,7 +23,7 @@ export interface CpuOptions {
 
 /** A pass of render() that is under way. */
 interface Pass {
-  readonly jobs: { from: number; to: number }[];
+  readonly jobs: Run[];
   readonly first: number;
   readonly count: number;
   readonly pixels: number;
@@ -86,16 +87,15 @@ export class CpuPathTracer implements PathTracer {
     for (const worker of this.#workers) worker.post({ kind: 'set', settings: part });
   }
 
-  render(first: number, count: number, { signal, onProgress }: PassOptions = {}): Promise<void> {
+  render(first: number, count: number, { signal, onProgress, tiles }: PassOptions = {}): Promise<void> {
     if (this.#settings === null) throw new Error('render() before start()');
     if (this.#pass !== null) throw new Error('render() while another pass is under way');
     if (this.#failure !== null) return Promise.reject(this.#failure);
-    const pixels = this.#settings.width * this.#settings.height;
+    const { width, height } = this.#settings;
+    const pixels = tiles ? maskedPixels(width, height, tiles) : width * height;
     const step = Math.max(1, Math.min(MAX_JOB_PIXELS, Math.floor(JOB_SAMPLES / count)));
-    const jobs = Array.from({ length: Math.ceil(pixels / step) }, (_, i) => ({
-      from: i * step,
-      to: Math.min(pixels, (i + 1) * step),
-    }));
+    const jobs = pixelRuns(width, height, step, tiles);
+    if (jobs.length === 0) return Promise.resolve();
     return new Promise<void>((resolve, reject) => {
       if (signal?.aborted) {
         reject(signal.reason);

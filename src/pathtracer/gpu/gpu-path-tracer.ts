@@ -1,18 +1,20 @@
-/** The path tracer on a GPU: one compute shader, dispatched over tiles of the picture. */
+/** The path tracer on a GPU: one compute shader, dispatched over parts of the picture. */
 import type { Camera } from '../../scene/schema.ts';
 import { FILM_FLOATS, FILM_SLOTS, Film } from '../film.ts';
 import { pathTracerKernel } from '../kernel.ts';
-import type { PassOptions, PathTracer } from '../path-tracer.ts';
+import type { PassOptions, PathTracer, TileMask } from '../path-tracer.ts';
 import { type RenderSettings, writeCamera, writeSettings } from '../scene/camera.ts';
 import { PathTracerError } from '../scene/error.ts';
 import { HEADER, HEADER_SLOTS, WORDS_PER_SLOT } from '../scene/layout.ts';
 import type { PackedScene } from '../scene/pack.ts';
+import { forEachTile, maskedPixels, TILE, tileGrid } from '../tiles.ts';
 import { ADD_SHADER, ADD_WORKGROUP, kernelShader, WORKGROUP } from './shader.ts';
 
 /** What a submission should take, in milliseconds: systems reset a GPU that is busy for some seconds. */
 const SUBMISSION_TIME = 100;
-const FIRST_TILE = 64;
-const LARGEST_TILE = 4096;
+/** Pixels along the side of a part; powers of two. */
+const FIRST_PART = 64;
+const LARGEST_PART = 4096;
 
 /** Float32 sums of more samples than this would lose digits that the picture could show. */
 const MOST_UNREAD_SAMPLES = 1024;
@@ -32,6 +34,8 @@ interface Started {
   readonly pass: GPUBuffer;
   /** What complete passes have gathered since the film was read last. */
   readonly total: GPUBuffer;
+  /** A word for every tile: which ones the pass takes. */
+  readonly tiles: GPUBuffer;
   readonly trace: GPUBindGroup;
   readonly add: GPUBindGroup;
   readonly film: Film;
@@ -47,7 +51,7 @@ export class GpuPathTracer implements PathTracer {
   #models: PackedScene['models'] = [];
   #loaded: Loaded | null = null;
   #started: Started | null = null;
-  #tile = FIRST_TILE;
+  #part = FIRST_PART;
 
   /** @param device's limits bound the scene; it stays its owner's @param description for a person to read */
   constructor(device: GPUDevice, description: string) {
@@ -109,6 +113,11 @@ export class GpuPathTracer implements PathTracer {
       );
     const usage = GPUBufferUsage.STORAGE | GPUBufferUsage.COPY_SRC | GPUBufferUsage.COPY_DST;
     const [pass, total] = [this.#gpu.createBuffer({ size, usage }), this.#gpu.createBuffer({ size, usage })];
+    const { columns, rows } = tileGrid(settings.width, settings.height);
+    const tiles = this.#gpu.createBuffer({
+      size: 4 * columns * rows,
+      usage: GPUBufferUsage.STORAGE | GPUBufferUsage.COPY_DST,
+    });
     const group = (pipeline: GPUComputePipeline, buffers: readonly GPUBuffer[]) =>
       this.#gpu.createBindGroup({
         layout: pipeline.getBindGroupLayout(0),
@@ -118,38 +127,46 @@ export class GpuPathTracer implements PathTracer {
       settings,
       pass,
       total,
-      trace: group(this.#pipeline, [this.#loaded.scene, pass, this.#job]),
+      tiles,
+      trace: group(this.#pipeline, [this.#loaded.scene, pass, this.#job, tiles]),
       add: group(this.#adder, [pass, total]),
       film: new Film(settings.width, settings.height),
       unread: 0,
     };
   }
 
-  async render(first: number, count: number, { signal, onProgress }: PassOptions = {}): Promise<void> {
+  async render(first: number, count: number, options: PassOptions = {}): Promise<void> {
+    const { signal, onProgress, tiles } = options;
     const started = this.#started;
     if (started === null) throw new Error('render() before start()');
     const { width, height } = started.settings;
-    const all = width * height * count;
+    const { columns, rows } = tileGrid(width, height);
+    const mask = tiles ?? new Uint8Array(columns * rows).fill(1);
+    const all = maskedPixels(width, height, mask) * count;
     let done = 0;
+    this.#gpu.queue.writeBuffer(started.tiles, 0, Uint32Array.from(mask));
     const clear = this.#gpu.createCommandEncoder();
     clear.clearBuffer(started.pass);
     this.#gpu.queue.submit([clear.finish()]);
     for (let sample = 0; sample < count; ) {
-      // A tile of one sample that is too quick grows; one of the whole picture then takes several samples.
-      const whole = this.#tile >= Math.max(width, height);
+      // A part of one sample that is too quick grows; one of the whole picture then takes several samples.
+      const whole = this.#part >= Math.max(width, height);
       const samples = whole ? Math.min(count - sample, this.#samplesPerSubmission) : 1;
-      const tile = Math.min(this.#tile, LARGEST_TILE);
-      for (let y = 0; y < height; y += tile) {
-        for (let x = 0; x < width; x += tile) {
+      const side = Math.min(this.#part, LARGEST_PART);
+      const taken = partPixels(width, height, side, mask);
+      for (let y = 0; y < height; y += side) {
+        for (let x = 0; x < width; x += side) {
           signal?.throwIfAborted();
-          const w = Math.min(tile, width - x);
-          const h = Math.min(tile, height - y);
+          const w = Math.min(side, width - x);
+          const h = Math.min(side, height - y);
+          const pixels = taken[(y / side) * Math.ceil(width / side) + x / side]!;
+          if (pixels === 0) continue;
           const began = performance.now();
           this.#dispatch(started, new Uint32Array([x, y, first + sample, samples]), w, h);
           await this.#gpu.queue.onSubmittedWorkDone();
           if (this.#started !== started) throw new DOMException('another rendering began', 'AbortError');
-          if (w === tile || whole) this.#adapt(performance.now() - began, whole);
-          done += w * h * samples;
+          if (pixels === w * h && (w === side || whole)) this.#adapt(performance.now() - began, whole);
+          done += pixels * samples;
           onProgress?.(done / all);
         }
       }
@@ -180,10 +197,10 @@ export class GpuPathTracer implements PathTracer {
     if (time > 2 * SUBMISSION_TIME) {
       if (this.#samplesPerSubmission > 1)
         this.#samplesPerSubmission = Math.ceil(this.#samplesPerSubmission / 2);
-      else this.#tile = Math.max(WORKGROUP, this.#tile / 2);
+      else this.#part = Math.max(TILE, this.#part / 2);
     } else if (time < SUBMISSION_TIME / 2) {
       if (whole) this.#samplesPerSubmission = Math.min(64, this.#samplesPerSubmission * 2);
-      else this.#tile *= 2;
+      else this.#part *= 2;
     }
   }
 
@@ -229,6 +246,18 @@ export class GpuPathTracer implements PathTracer {
   #end(): void {
     this.#started?.pass.destroy();
     this.#started?.total.destroy();
+    this.#started?.tiles.destroy();
     this.#started = null;
   }
+}
+
+/** How many pixels of each part of the picture are in a mask's tiles, row by row. @param side of a part, whole tiles */
+function partPixels(width: number, height: number, side: number, mask: TileMask): Float64Array {
+  const columns = Math.ceil(width / side);
+  const pixels = new Float64Array(columns * Math.ceil(height / side));
+  forEachTile(width, height, ({ tile, left, top, right, bottom }) => {
+    const part = Math.floor(top / side) * columns + Math.floor(left / side);
+    if (mask[tile]) pixels[part]! += (right - left) * (bottom - top);
+  });
+  return pixels;
 }

@@ -1,0 +1,129 @@
+/** The picture that a noisy film would become (docs/decisions/denoising.md). */
+import type { Film } from '../film.ts';
+import { Pace } from '../scene/pace.ts';
+import { tameFireflies } from './fireflies.ts';
+import { type Feature, type NlMeansOptions, nlMeans } from './nl-means.ts';
+import { type FilmPlanes, filmPlanes, type Planes } from './planes.ts';
+import { boxMean, noiseScale, slope, usableVariance } from './statistics.ts';
+
+export interface DenoiseOptions {
+  readonly signal?: AbortSignal;
+  /** Called with 0 to 1. */
+  onProgress?(part: number): void;
+}
+
+/** Passes over the radiance: pixels that touch, then wider. */
+const STEPS = [1, 3, 9] as const;
+const RADIUS = 3;
+/** Of the albedo, which has little noise: a window as wide as that of the first pass would smear its pattern. */
+const ALBEDO_RADIUS = 2;
+/**
+ * By measurement (docs/decisions/denoising.md): 0.6 leaves more noise, 1 blurs details; both have the larger error.
+ */
+const STRENGTH = 0.8;
+/** What is darker is taken for this: the light on it would be noise, divided by nearly nothing. */
+const LEAST_ALBEDO = 0.02;
+
+/** @returns radiance, RGB; the film is left as it is @throws AbortError by the signal */
+export async function denoise(
+  film: Film,
+  { signal, onProgress }: DenoiseOptions = {},
+): Promise<Float32Array> {
+  const pace = new Pace(signal);
+  try {
+    const planes = filmPlanes(film);
+    const stages = STEPS.length + 1;
+    const stage = (i: number): Pick<NlMeansOptions, 'pace' | 'onProgress'> => ({
+      pace,
+      onProgress: (part) => onProgress?.((i + part) / stages),
+    });
+    const geometry = geometryFeatures(planes, film.count);
+    const albedo = await nlMeans(planes.albedo, {
+      step: 1,
+      radius: ALBEDO_RADIUS,
+      strength: 1,
+      features: geometry,
+      ...stage(0),
+    });
+    const features = [...geometry, albedoFeature(albedo)];
+    const beyond = backgroundAlbedo(planes);
+    const divisor = albedo.channels.map((channel) =>
+      channel.map((x, pixel) => Math.max(x, LEAST_ALBEDO) + beyond * (1 - planes.alpha[pixel]!)),
+    );
+    let light = usableVariance(demodulated(planes.radiance, divisor), film.count);
+    const scale = noiseScale(light, features);
+    light = tameFireflies(light, features);
+    light = { ...light, variance: light.variance.map((x) => x * scale) };
+    for (const [i, step] of STEPS.entries()) {
+      light = await nlMeans(
+        { ...light, variance: boxMean(light.variance, film, 1) },
+        { step, radius: RADIUS, strength: STRENGTH, features, ...stage(i + 1) },
+      );
+    }
+    onProgress?.(1);
+    return new Float32Array(film.radiance.length).map((_, i) => {
+      const [pixel, c] = [Math.floor(i / 3), i % 3];
+      return light.channels[c]![pixel]! * divisor[c]![pixel]!;
+    });
+  } finally {
+    pace.end();
+  }
+}
+
+/** What a background would reflect that was a surface among the others: edges before it then have no light of their own. */
+function backgroundAlbedo({ radiance, albedo, alpha }: FilmPlanes): number {
+  let [light, reflected, behind, open] = [0, 0, 0, 0];
+  for (let pixel = 0; pixel < alpha.length; pixel++) {
+    const sum = (channels: readonly Float32Array[]) =>
+      channels.reduce((total, one) => total + one[pixel]!, 0);
+    if (alpha[pixel] === 1) {
+      light += sum(radiance.channels);
+      reflected += sum(albedo.channels);
+    } else if (alpha[pixel] === 0) {
+      behind += sum(radiance.channels);
+      open += 1;
+    }
+  }
+  const irradiance = light / reflected;
+  return open > 0 && irradiance > 0 ? Math.min(1, behind / (3 * open) / irradiance) : 1;
+}
+
+/** Light without the pattern of what reflects it. */
+function demodulated(radiance: Planes, divisor: readonly Float32Array[]): Planes {
+  const scale = divisor[0]!.map((_, pixel) => {
+    const mean = divisor.reduce((sum, channel) => sum + channel[pixel]!, 0) / 3;
+    return 1 / mean ** 2;
+  });
+  return {
+    ...radiance,
+    channels: radiance.channels.map((channel, c) => channel.map((x, pixel) => x / divisor[c]![pixel]!)),
+    variance: radiance.variance.map((x, pixel) => x * scale[pixel]!),
+  };
+}
+
+function geometryFeatures({ normal, depth, alpha }: FilmPlanes, count: Float64Array): Feature[] {
+  const { width, height } = normal;
+  const tolerances = (
+    channels: readonly Float32Array[],
+    least: (pixel: number) => number,
+    variance?: Float32Array,
+  ) => {
+    const slopes = slope(channels, width, height);
+    return slopes.map((x, pixel) => least(pixel) + x + (variance?.[pixel] ?? 0));
+  };
+  // A tenth of a radian and of the hits, a hundredth of the distance; more where surfaces bend, lean or are noisy.
+  return [
+    { channels: normal.channels, tolerance: tolerances(normal.channels, () => 0.01, normal.variance) },
+    { channels: [depth], tolerance: tolerances([depth], (pixel) => (0.01 * depth[pixel]!) ** 2 + 1e-12) },
+    {
+      channels: [alpha],
+      tolerance: alpha.map((x, pixel) => 0.01 + (x * (1 - x)) / Math.max(1, count[pixel]! - 1)),
+    },
+  ];
+}
+
+/** Light is without the albedo's pattern: its edges are there only to keep materials apart. */
+function albedoFeature({ channels, variance, width, height }: Planes): Feature {
+  const slopes = slope(channels, width, height);
+  return { channels, tolerance: slopes.map((x, pixel) => 0.005 + 0.5 * x + variance[pixel]!) };
+}
