@@ -1,5 +1,6 @@
 import type { BufferGeometry } from 'three/webgpu';
 import type { AssetLoader } from '../../scene/assets.ts';
+import { quadCount } from '../../scene/geometry-schema.ts';
 import { createPrimitive } from '../../scene/mirror/geometry.ts';
 import type { Asset, Document, Geometry, SceneObject } from '../../scene/schema.ts';
 import { PathTracerError } from './error.ts';
@@ -39,6 +40,7 @@ export class Meshes {
   ): Promise<PackedMesh[]> {
     const geometries: (BufferGeometry | string)[] = [];
     const missing = new Map<BufferGeometry | string, Wanted>();
+    checkPrimitives(objects, maxBytes);
     for (const object of objects) {
       const key = await guarded(object, () => this.#keyOf(object.geometry, assets));
       geometries.push(key);
@@ -107,6 +109,20 @@ export class Meshes {
         `the scene's ${triangles} triangles take at least ${bytes} bytes of memory; the limit is ${maxBytes}`,
       );
   }
+}
+
+/**
+ * Refuses primitives that cannot fit before they are made, which takes minutes for what is far too large. Poles and tips
+ * have triangles where other quads have two: half of all is a bound from below.
+ */
+function checkPrimitives(objects: readonly SceneObject[], maxBytes: number): void {
+  const primitives = new Map(objects.map(({ geometry }) => [JSON.stringify(geometry), geometry]));
+  const quads = [...primitives.values()].reduce((sum, geometry) => sum + quadCount(geometry), 0);
+  const bytes = leastMeshBytes(quads, quads / 2);
+  if (bytes > maxBytes)
+    throw new PathTracerError(
+      `the scene's about ${Math.round(2 * quads)} triangles take more than ${Math.round(bytes)} bytes of memory; the limit is ${maxBytes}`,
+    );
 }
 
 function create(geometry: Geometry): BufferGeometry {

@@ -9,6 +9,7 @@ import { Pace } from '../../../src/pathtracer/scene/pace.ts';
 import { type PackedScene, ScenePacker } from '../../../src/pathtracer/scene/pack.ts';
 import { AssetLoader } from '../../../src/scene/assets.ts';
 import { createDocument, parseDocument } from '../../../src/scene/document.ts';
+import * as primitives from '../../../src/scene/mirror/geometry.ts';
 import type { Document } from '../../../src/scene/schema.ts';
 import { Reader, type Vector } from './reader.ts';
 
@@ -250,6 +251,12 @@ describe('limits', () => {
     await expect(packing).rejects.toThrow(PathTracerError);
     await expect(packing).rejects.toThrow(/320000 triangles take at least \d{8} bytes.*limit is 20000000/);
     expect(build).not.toHaveBeenCalled();
+    // Far too many are not even made.
+    const make = vi.spyOn(primitives, 'createPrimitive');
+    await expect(new ScenePacker(assets).pack(fine, { maxBytes: 2e6 })).rejects.toThrow(
+      /about 320000 triangles.*limit is 2000000/,
+    );
+    expect(make).not.toHaveBeenCalled();
     await expect(pack_(createDocument(), 100)).rejects.toThrow(/takes \d+ bytes.*limit is 100$/);
   });
 
