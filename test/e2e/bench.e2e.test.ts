@@ -292,7 +292,7 @@ describe('the bench', () => {
     await page.page.click('[aria-label="Show the worst case of Conserves energy"]');
     const { parameters } = (await page.document()).materials.bright ?? {};
     expect(parameters).toEqual({ gain: 2 });
-    expect(await page.page.getAttribute('[data-view=lobe]', 'aria-selected')).toBe('true');
+    await page.page.waitForSelector('[data-view=lobe][aria-selected=true]');
     await page.page.keyboard.press('Control+z');
     expect((await page.document()).materials.bright?.parameters).toEqual({});
   });

@@ -110,8 +110,8 @@ export function createBench({ store, state }: Session, { geometryOf }: BenchOpti
     return geometry ? meshOf(geometry) : null;
   };
 
-  /** What is on the screen, at the parameters of this moment. */
-  const present = (pane: number, probe: Probe | null): { plot: Plot; progress: number } => {
+  /** What is on the screen, at the parameters of this moment; in float64 as far as slices go, where `exact`. */
+  const present = (pane: number, probe: Probe | null, exact = false): { plot: Plot; progress: number } => {
     const all = subjects();
     const terms = all[0] ? termsOf(all[0]) : [];
     const { bench } = state.value;
@@ -122,7 +122,7 @@ export function createBench({ store, state }: Session, { geometryOf }: BenchOpti
       term: terms.includes(bench.term) ? bench.term : 'BRDF',
       parameter: parameter?.name ?? '',
     };
-    const data = plotData(all, settings, { evaluators, background, mesh, parameter });
+    const data = plotData(all, settings, { evaluators, background, mesh, parameter, exact });
     return { plot: { settings, curves: data.curves, probe, parameter }, progress: data.progress };
   };
 
@@ -132,7 +132,7 @@ export function createBench({ store, state }: Session, { geometryOf }: BenchOpti
 
   const save = async (extension: 'svg' | 'png' | 'csv') => {
     const { active } = state.value.bench;
-    const { plot } = present(active, null);
+    const { plot } = present(active, null, true);
     const { width, height } = grid.pane(active).size();
     const name = `${fileNameOf(subjects()[0]?.name ?? 'brdf')}-${plot.settings.view}.${extension}`;
     try {

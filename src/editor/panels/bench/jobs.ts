@@ -8,7 +8,7 @@ import type { LitOptions } from '../../../analysis/plots/lit-picture.ts';
 import type { Lobe } from '../../../analysis/plots/lobe.ts';
 import type { Picture } from '../../../analysis/plots/picture.ts';
 import type { TriangleMesh } from '../../../analysis/plots/surface.ts';
-import type { Subject } from './series.ts';
+import type { OwnModel } from './settings.ts';
 
 export type Task =
   | { readonly kind: 'albedo'; readonly phiV: number }
@@ -29,7 +29,10 @@ export interface Job {
   /** A later job with the same key takes the place of this one. */
   readonly key: string;
   readonly ticket: number;
-  readonly subject: Pick<Subject, 'model' | 'source' | 'parameters'>;
+  readonly model: string;
+  /** The number of the source that the model comes from; null where it ships. */
+  readonly source: number | null;
+  readonly parameters: Readonly<Record<string, unknown>>;
   readonly term: string;
   readonly task: Task;
 }
@@ -38,6 +41,12 @@ export interface Job {
 export interface Shape {
   readonly mesh: number;
   readonly triangles: TriangleMesh;
+}
+
+/** A scene's own model, sent once, for measurements are megabytes; jobs name it by its number. null forgets it. */
+export interface Source {
+  readonly source: number;
+  readonly own: OwnModel | null;
 }
 
 /** What a task gives is in the field of its kind of data; the others are absent. */

@@ -10,7 +10,7 @@ import { between } from './between.ts';
 import type { PlottedCurve, SweptParameter } from './frame.ts';
 import type { Result, Task } from './jobs.ts';
 import { azimuthOptions, imageOptions, lightOptions, litOptions } from './plot-options.ts';
-import type { Evaluators, Subject } from './series.ts';
+import type { Evaluators, Subject, SubjectReflectance } from './series.ts';
 import type { PaneSettings } from './settings.ts';
 import { substanceCurves } from './substance-curves.ts';
 
@@ -29,6 +29,8 @@ export interface PlotSources {
   /** The shape of the lit object; null while there is none. */
   readonly mesh: () => TriangleMesh | null;
   readonly parameter: SweptParameter | null;
+  /** Whether the points of slices, too, are to be in float64. */
+  readonly exact: boolean;
 }
 
 export function plotData(
@@ -42,12 +44,15 @@ export function plotData(
   const task = taskOf(settings, sources);
   for (const [index, subject] of subjects.entries()) {
     if (settings.solo !== null && settings.solo !== subject.id) continue;
-    const f = reflectanceOf(sources.evaluators, subject, settings.term);
-    if (!f) continue;
+    const functions = reflectanceOf(sources.evaluators, subject, settings.term);
+    if (!functions) continue;
+    const { exact: f, quick } = functions;
     const { id, name, color } = subject;
     const common = { id, name, color, index, f, sweep: EMPTY, lobe: null, picture: null };
     if (!task) {
-      curves.push({ ...common, ...slice(f, settings) });
+      // A probe reads one value, a file is read to the last digit; a curve of some hundred points is looked at.
+      const points = slice(sources.exact ? f : quick, settings);
+      curves.push({ ...common, points, at: (angle) => sliceAt(f, angle, settings) });
       continue;
     }
     const result = sources.background.ask(subject, settings.term, task);
@@ -96,7 +101,7 @@ function partsOf(result: Result | null): Parts {
   return { points, sweep, lobe, picture, at: (angle) => between(line, angle) };
 }
 
-function reflectanceOf(evaluators: Evaluators, subject: Subject, term: string): Reflectance | null {
+function reflectanceOf(evaluators: Evaluators, subject: Subject, term: string): SubjectReflectance | null {
   try {
     return evaluators.reflectance(subject, term);
   } catch {
@@ -105,19 +110,14 @@ function reflectanceOf(evaluators: Evaluators, subject: Subject, term: string): 
   }
 }
 
-interface Slice {
-  readonly points: Curve;
-  at(angle: number): CurvePoint | null;
-}
-
 /** Panes are drawn again when any part of another pane comes: what did not change is not computed again. */
-const slices = new WeakMap<Reflectance, Map<string, Slice>>();
+const slices = new WeakMap<Reflectance, Map<string, Curve>>();
 const MOST_SLICES = 24;
 
-function slice(f: Reflectance, settings: PaneSettings): Slice {
+function slice(f: Reflectance, settings: PaneSettings): Curve {
   const { view, thetaV, phiV, thetaL, thetaH, thetaD, turns, cosine } = settings;
   const key = JSON.stringify([view, thetaV, phiV, thetaL, thetaH, thetaD, turns, cosine]);
-  const known = slices.get(f) ?? new Map<string, Slice>();
+  const known = slices.get(f) ?? new Map<string, Curve>();
   slices.set(f, known);
   const kept = known.get(key);
   if (kept) return kept;
@@ -127,22 +127,38 @@ function slice(f: Reflectance, settings: PaneSettings): Slice {
   return fresh;
 }
 
-function computeSlice(f: Reflectance, settings: PaneSettings): Slice {
+function computeSlice(f: Reflectance, settings: PaneSettings): Curve {
   const options = { ...settings, phiH: settings.phiV };
   switch (settings.view) {
     case 'polar':
     case 'thetaL':
-      return { points: lightSlice(f, options), at: (angle) => lightSliceAt(f, angle, options) };
+      return lightSlice(f, options);
     case 'thetaH':
-      return { points: halfSlice(f, options), at: (angle) => halfSliceAt(f, angle, options) };
+      return halfSlice(f, options);
     case 'thetaD':
-      return { points: differenceSlice(f, options), at: (angle) => differenceSliceAt(f, angle, options) };
+      return differenceSlice(f, options);
     case 'phi':
-    case 'azimuth': {
-      const azimuth = azimuthOptions(settings);
-      return { points: azimuthSlice(f, azimuth), at: (angle) => azimuthSliceAt(f, angle, azimuth) };
-    }
+    case 'azimuth':
+      return azimuthSlice(f, azimuthOptions(settings));
     default:
-      return { points: EMPTY, at: () => null };
+      return EMPTY;
+  }
+}
+
+function sliceAt(f: Reflectance, angle: number, settings: PaneSettings): CurvePoint | null {
+  const options = { ...settings, phiH: settings.phiV };
+  switch (settings.view) {
+    case 'polar':
+    case 'thetaL':
+      return lightSliceAt(f, angle, options);
+    case 'thetaH':
+      return halfSliceAt(f, angle, options);
+    case 'thetaD':
+      return differenceSliceAt(f, angle, options);
+    case 'phi':
+    case 'azimuth':
+      return azimuthSliceAt(f, angle, azimuthOptions(settings));
+    default:
+      return null;
   }
 }

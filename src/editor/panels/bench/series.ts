@@ -1,5 +1,6 @@
 /** The curves of the bench: one that follows the selected material, one for each pin. */
 import type { Reflectance } from '../../../analysis/plots/curve.ts';
+import { createQuickEvaluator } from '../../../analysis/quick-evaluator.ts';
 import type { FloatParameter } from '../../../brdf/model.ts';
 import { createEvaluator, type Evaluator } from '../../../glsl/evaluator.ts';
 import { findModel, modelOrigin } from '../../../scene/models.ts';
@@ -86,29 +87,38 @@ export function evaluatorOf(subject: Pick<Subject, 'model' | 'source' | 'paramet
   return createEvaluator(model, subject.parameters);
 }
 
-interface Kept {
+/** One term of a subject as functions of l and v. */
+export interface SubjectReflectance {
+  /** In float32, for what is drawn. */
+  readonly quick: Reflectance;
+  /** In float64, for what is read. */
+  readonly exact: Reflectance;
+}
+
+interface Kept extends SubjectReflectance {
   readonly subject: Subject;
   readonly term: string;
   readonly evaluator: Evaluator;
-  readonly f: Reflectance;
 }
 
 /** Keeps an evaluator for each subject: making one is far slower than setting its parameters. */
 export class Evaluators {
   readonly #kept = new Map<string, Kept>();
 
-  /** The subject's model or term as a function, the same one as long as both stay; null where there is none. */
-  reflectance(subject: Subject, term: string): Reflectance | null {
+  /** The same functions as long as model and parameters stay; null where there is no such term. */
+  reflectance(subject: Subject, term: string): SubjectReflectance | null {
     if (!termsOf(subject).includes(term)) return null;
     const kept = this.#kept.get(subject.id);
     const sameModel = kept?.subject.model === subject.model && kept.subject.source === subject.source;
     const sameValues = kept?.subject.parameters === subject.parameters;
-    if (kept && sameModel && sameValues && kept.term === term) return kept.f;
+    if (kept && sameModel && sameValues && kept.term === term) return kept;
     const evaluator = kept && sameModel ? kept.evaluator : evaluatorOf(subject);
     if (sameModel && !sameValues) evaluator.set(subject.parameters);
     const { f: evaluate } = evaluator;
-    const f: Reflectance = (l, v) => evaluate(l, v, undefined, term);
-    this.#kept.set(subject.id, { subject, term, evaluator, f });
-    return f;
+    const exact: Reflectance = (l, v) => evaluate(l, v, undefined, term);
+    const quick = createQuickEvaluator(evaluator.model, subject.parameters).term(term);
+    const now = { subject, term, evaluator, exact, quick };
+    this.#kept.set(subject.id, now);
+    return now;
   }
 }

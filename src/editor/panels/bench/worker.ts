@@ -2,14 +2,15 @@
 import { albedoAngles, albedoCurve } from '../../../analysis/plots/albedo-curve.ts';
 import { albedoSweep, SWEEP_POINTS } from '../../../analysis/plots/albedo-sweep.ts';
 import { azimuthMapAt } from '../../../analysis/plots/azimuth-slice.ts';
-import type { Reflectance } from '../../../analysis/plots/curve.ts';
 import { imageSliceAt } from '../../../analysis/plots/image-slice.ts';
 import { litPictures } from '../../../analysis/plots/lit-picture.ts';
 import { lobe } from '../../../analysis/plots/lobe.ts';
 import { type Picture, pictures } from '../../../analysis/plots/picture.ts';
 import { meshSurface, sphereSurface, type TriangleMesh } from '../../../analysis/plots/surface.ts';
-import type { Answer, Job, Result, Shape } from './jobs.ts';
-import { evaluatorOf } from './series.ts';
+import { createQuickEvaluator } from '../../../analysis/quick-evaluator.ts';
+import type { Answer, Job, Result, Shape, Source } from './jobs.ts';
+import { modelOf } from './series.ts';
+import type { OwnModel } from './settings.ts';
 
 /** null is a pause. */
 type Steps = Generator<Result | null>;
@@ -23,12 +24,17 @@ const SLICE_MS = 6;
 const running = new Map<string, { job: Job; steps: Steps }>();
 /** Only the shape that was sent last is asked for. */
 let shape: Shape | null = null;
+const sources = new Map<number, OwnModel>();
 let busy = false;
 
-self.addEventListener('message', ({ data }: MessageEvent<Job | Shape>) => {
+self.addEventListener('message', ({ data }: MessageEvent<Job | Shape | Source>) => {
   if ('triangles' in data) shape = data;
-  else {
-    running.set(data.key, { job: data, steps: stepsOf(data) });
+  else if ('own' in data) {
+    if (data.own) sources.set(data.source, data.own);
+    else sources.delete(data.source);
+  } else {
+    const own = data.source === null ? null : sources.get(data.source);
+    running.set(data.key, { job: data, steps: stepsOf(data, own) });
     if (!busy) void work();
   }
 });
@@ -71,9 +77,11 @@ function advance(steps: Steps): Result | null | 'end' {
   }
 }
 
-function* stepsOf({ subject, term, task }: Job): Steps {
-  const evaluator = evaluatorOf(subject);
-  const f: Reflectance = (l, v) => evaluator.f(l, v, undefined, term);
+function* stepsOf({ model: name, parameters, term, task }: Job, source: OwnModel | null | undefined): Steps {
+  const model = source === undefined ? undefined : modelOf({ model: name, source });
+  if (!model) throw new Error(`there is no model ${name}`);
+  const evaluator = createQuickEvaluator(model, parameters);
+  const f = evaluator.term(term);
   switch (task.kind) {
     case 'albedo':
       for (const curve of albedoCurve(f, task.phiV)) {
@@ -82,7 +90,7 @@ function* stepsOf({ subject, term, task }: Job): Steps {
       break;
     case 'sweep': {
       const at = (value: number) => {
-        evaluator.set({ ...subject.parameters, [task.parameter]: value });
+        evaluator.set({ ...parameters, [task.parameter]: value });
         return f;
       };
       for (const sweep of albedoSweep(at, task)) {
