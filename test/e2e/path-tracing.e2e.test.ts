@@ -21,15 +21,13 @@ function sphereUnderSun(): string {
 const lab = await openLab();
 let page: LabPage;
 
+async function openSphere(init = ''): Promise<LabPage> {
+  const files = { '/scene.json': sphereUnderSun() };
+  return (await lab.open({ query: '?scene=/scene.json', files, init, width: 720, height: 420 })).ready();
+}
+
 beforeAll(async () => {
-  page = await (
-    await lab.open({
-      query: '?scene=/scene.json',
-      files: { '/scene.json': sphereUnderSun() },
-      width: 720,
-      height: 420,
-    })
-  ).ready();
+  page = await openSphere();
 });
 
 const figures = () => page.page.locator('.tracing-text').innerText();
@@ -38,8 +36,8 @@ const counts = () =>
   page.page.evaluate<{ renderings: number; packed: number }>('irradia.viewport.tracing.counts');
 
 /** Until the picture is what was asked for, with nothing left to do. */
-async function complete(renderings: number): Promise<void> {
-  await page.page.evaluate(`new Promise((resolve) => {
+async function complete(renderings: number, on = page): Promise<void> {
+  await on.page.evaluate(`new Promise((resolve) => {
     const { tracing } = irradia.viewport;
     const look = () => {
       const { counts, state } = tracing;
@@ -53,8 +51,8 @@ async function complete(renderings: number): Promise<void> {
 }
 
 /** The mean of the differences of the interactive and the path traced picture, sRGB, 0 to 255. */
-function meanDifference(): Promise<number> {
-  return page.page.evaluate(`(async () => {
+function meanDifference(on = page): Promise<number> {
+  return on.page.evaluate(`(async () => {
     const { renderer, viewport, store } = irradia;
     const { view } = store.document;
     const one = await renderer.readImage(view, null);
@@ -69,7 +67,7 @@ it('is shown at a click, says by what, and is the interactive picture where that
   await complete(1);
   expect(await figures()).toMatch(/^16 samples\/pixel · .* s · error .* % · complete$/);
   expect(await page.page.locator('.tracing-device').innerText()).toMatch(
-    /^\d+ CPU threads?, as WebGPU is only emulated here$/,
+    /^[\d.e+-]+ Mpaths\/s by \d+ CPU threads?, as WebGPU is only emulated here$/,
   );
   expect(await page.page.getByRole('progressbar').getAttribute('aria-valuenow')).toBe('100');
   expect(await meanDifference()).toBeLessThan(1);
@@ -201,4 +199,13 @@ it('says what is wrong with a scene, keeps the interactive view, and recovers', 
   await complete(renderings + 2);
   // What the page itself says of the broken image.
   expect(page.errors).toEqual([]);
+});
+
+it('is shown by WebGL 2, too', async () => {
+  await page.page.close();
+  const old = await openSphere("Object.defineProperty(navigator, 'gpu', { value: undefined });");
+  await old.page.keyboard.press('2');
+  await complete(1, old);
+  expect(await meanDifference(old)).toBeLessThan(1);
+  expect(old.errors).toEqual([]);
 });

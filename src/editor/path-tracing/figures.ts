@@ -1,6 +1,6 @@
 /** What is said of a path traced picture, and how complete it is. */
 import type { PathTracing as Settings } from '../../scene/schema.ts';
-import type { Figures, Phase } from './messages.ts';
+import type { Device, Figures, Phase } from './messages.ts';
 import type { TracingState } from './path-tracing.ts';
 
 const PHASES: Readonly<Record<Phase, string>> = {
@@ -18,8 +18,17 @@ export function describe(state: TracingState, paused: boolean): string {
     return `${PHASES[state.phase]}${percent}`;
   }
   const { figures } = state;
-  const how = figures.reached !== null ? 'complete' : paused ? 'paused' : speed(figures.pathsPerSecond);
-  return [samples(figures.samples), duration(figures.seconds), error(figures.error), how].join(' · ');
+  const how = figures.reached !== null ? 'complete' : paused ? 'paused' : '';
+  return [samples(figures.samples), duration(figures.seconds), error(figures.error), how]
+    .filter((part) => part !== '')
+    .join(' · ');
+}
+
+/** How fast it is, and what does it. */
+export function describeDevice(state: TracingState, device: Device | null): string {
+  if (device === null) return '';
+  const by = device.note === '' ? device.name : `${device.name}, as ${device.note}`;
+  return state.kind === 'picture' ? `${speed(state.figures.pathsPerSecond)} by ${by}` : by;
 }
 
 /** The way to whichever goal is nearer; the error falls with the square root of the samples. Null: not known yet. */

@@ -25,6 +25,16 @@ export type TracingState =
   | { readonly kind: 'picture'; readonly figures: Figures }
   | { readonly kind: 'failed'; readonly message: string };
 
+/** What distinguishes one picture from another. */
+interface Wish {
+  /** Camera, size and settings. */
+  readonly key: string;
+  readonly document: Document;
+}
+
+const sameWish = (a: Wish | null, b: Wish): boolean =>
+  a !== null && a.key === b.key && sameScene(a.document, b.document);
+
 export interface PathTracingOptions {
   readonly session: Session;
   /** The picture is new, or gone. */
@@ -38,8 +48,10 @@ export class PathTracing {
   #look: Look | null = null;
   #restTimer = 0;
   #ticket = 0;
-  /** What the director was asked for last. */
-  #asked: { readonly key: string; readonly document: Document } | null = null;
+  /** What is asked for when the time of rest is over. */
+  #waiting: Wish | null = null;
+  /** What the director was asked for last, if it is still looked at. */
+  #asked: Wish | null = null;
   #sentDocument: Document | null = null;
   #state: TracingState = { kind: 'idle' };
   #device: Device | null = null;
@@ -51,7 +63,7 @@ export class PathTracing {
     this.#options = options;
     const { store, state } = options.session;
     store.subscribe(({ document, previous }) => {
-      if (document.pathTracing !== previous.pathTracing) this.#sendGoal();
+      if (document.pathTracing !== previous.pathTracing && this.#director !== null) this.#sendGoal();
       this.#follow();
     });
     state.subscribe((now, before) => {
@@ -109,27 +121,31 @@ export class PathTracing {
 
   /** Ends a picture that is no longer of what is looked at, and asks for the next one at rest. */
   #follow(): void {
-    if (!this.#wanted || this.#look === null) return;
+    if (this.#look === null) return;
     const { document } = this.#options.session.store;
-    const key = this.#keyOf(this.#look, document);
-    const asked = this.#asked;
-    if (asked !== null && asked.key === key && sameScene(asked.document, document)) return;
-    this.#asked = null;
-    this.#setState({ kind: 'idle' });
-    this.#sendPause();
+    const wish = { key: keyOf(this.#look, document), document };
+    if (sameWish(this.#asked, wish)) return;
+    if (this.#asked !== null) {
+      this.#asked = null;
+      this.#setState({ kind: 'idle' });
+      this.#sendPause();
+    }
+    if (this.#wanted && sameWish(this.#waiting, wish)) return;
     clearTimeout(this.#restTimer);
-    this.#restTimer = window.setTimeout(() => this.#ask(), REST_MS);
+    this.#waiting = this.#wanted ? wish : null;
+    if (this.#wanted) this.#restTimer = window.setTimeout(() => this.#ask(), REST_MS);
   }
 
   #ask(): void {
-    if (!this.#wanted || this.#look === null) return;
+    if (this.#look === null) return;
     const { document } = this.#options.session.store;
     const { camera, width, height } = this.#look;
     const { maxDepth, seed, clamp } = document.pathTracing;
-    this.#asked = { key: this.#keyOf(this.#look, document), document };
+    this.#asked = this.#waiting;
+    this.#waiting = null;
     this.#ticket += 1;
     const scene = this.#sentDocument === null || !sameScene(this.#sentDocument, document);
-    if (this.#director === null) this.#sendGoal();
+    this.#sendGoal();
     this.#send({
       kind: 'render',
       ticket: this.#ticket,
@@ -140,12 +156,6 @@ export class PathTracing {
     if (scene) this.#sentDocument = document;
     this.#setState({ kind: 'starting', phase: scene ? 'packing' : 'tracing', part: 0 });
     this.#sendPause();
-  }
-
-  #keyOf({ camera, width, height }: Look, { pathTracing }: Document): string {
-    const { near, far, ...seen } = camera;
-    const { samples, error, ...settings } = pathTracing;
-    return JSON.stringify([seen, width, height, settings]);
   }
 
   #sendGoal(): void {
@@ -217,4 +227,10 @@ export class PathTracing {
   #changed(): void {
     for (const listener of this.#listeners) listener();
   }
+}
+
+function keyOf({ camera, width, height }: Look, { pathTracing }: Document): string {
+  const { near, far, ...seen } = camera;
+  const { samples, error, ...settings } = pathTracing;
+  return JSON.stringify([seen, width, height, settings]);
 }

@@ -2,7 +2,7 @@
 import type { Session } from '../session.ts';
 import { h } from '../ui/dom.ts';
 import { icon, setIcon } from '../ui/icons.ts';
-import { describe, fractionOf } from './figures.ts';
+import { describe, describeDevice, fractionOf } from './figures.ts';
 import type { PathTracing } from './path-tracing.ts';
 
 export function createProgress({ store, state }: Session, tracing: PathTracing): HTMLElement {
@@ -18,12 +18,18 @@ export function createProgress({ store, state }: Session, tracing: PathTracing):
   bar.append(h('div', { class: 'bar-fill' }));
   const pause = h('button', { type: 'button', class: 'icon-button' }, icon('pause'));
   pause.addEventListener('click', () => state.set({ tracingPaused: !state.value.tracingPaused }));
+  const whole = h(
+    'span',
+    { class: 'tracing-note', hidden: true },
+    'One term alone is seen only interactively',
+  );
   const element = h(
     'div',
     { class: 'tracing-progress', hidden: true },
     h('div', { class: 'tracing-line' }, text, pause),
     bar,
     device,
+    whole,
   );
 
   const show = () => {
@@ -38,8 +44,8 @@ export function createProgress({ store, state }: Session, tracing: PathTracing):
     bar.classList.toggle('unknown', fraction === null && !paused);
     bar.style.setProperty('--fraction', `${100 * (fraction ?? 0)}%`);
     bar.setAttribute('aria-valuenow', String(Math.round(100 * (fraction ?? 0))));
-    const { device: by } = tracing;
-    device.textContent = by === null ? '' : by.note === '' ? by.name : `${by.name}, as ${by.note}`;
+    device.textContent = describeDevice(current, tracing.device);
+    whole.hidden = store.document.view.term === null;
     pause.setAttribute('aria-label', paused ? 'Go on path tracing' : 'Pause path tracing');
     pause.dataset.tip = paused ? 'Go on (P)' : 'Pause (P)';
     pause.setAttribute('aria-pressed', String(paused));

@@ -194,11 +194,12 @@ export class Viewport {
     renderer.companion = shown ? { radiance: texture, from: rendering === 'split' ? divider : 0 } : null;
     // What is not seen need not be drawn: the machine is the path tracer's.
     const hidden = shown && rendering === 'traced' && !continuous;
-    if (hidden || (shown && !this.#stale && !continuous)) renderer.renderAgain(view);
-    else {
-      renderer.render(mirror, view, size);
-      this.#stale = false;
+    if (hidden || (shown && !this.#stale && !continuous)) {
+      renderer.renderAgain(view);
+      return;
     }
+    renderer.render(mirror, view, size);
+    this.#stale = false;
     onFigures({
       ...radiance,
       drawCalls: renderer.three.info.render.drawCalls,

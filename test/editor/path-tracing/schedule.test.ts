@@ -1,5 +1,5 @@
 import { describe, expect, it } from 'vitest';
-import { fractionOf, describe as say } from '../../../src/editor/path-tracing/figures.ts';
+import { describeDevice, fractionOf, describe as say } from '../../../src/editor/path-tracing/figures.ts';
 import type { Figures } from '../../../src/editor/path-tracing/messages.ts';
 import { nextPass } from '../../../src/editor/path-tracing/schedule.ts';
 
@@ -35,7 +35,12 @@ describe('what is said of the picture', () => {
 
   it('has samples, time, error and speed; then that it is complete or paused', () => {
     const picture = { kind: 'picture' as const, figures };
-    expect(say(picture, false)).toBe('64 samples/pixel · 1 min 15 s · error 4.0 % · 2.5 Mpaths/s');
+    expect(say(picture, false)).toBe('64 samples/pixel · 1 min 15 s · error 4.0 %');
+    const device = { name: '2 CPU threads', note: 'this browser has no WebGPU' };
+    expect(describeDevice(picture, device)).toBe(
+      '2.5 Mpaths/s by 2 CPU threads, as this browser has no WebGPU',
+    );
+    expect(describeDevice({ kind: 'idle' }, { name: 'A GPU', note: '' })).toBe('A GPU');
     expect(say(picture, true)).toMatch(/paused$/);
     const complete = { kind: 'picture' as const, figures: { ...figures, reached: 'error' as const } };
     expect(say(complete, true)).toMatch(/complete$/);
