@@ -160,7 +160,7 @@ describe('render by the path tracer', () => {
     expect(readFileSync(path('again.exr')).equals(readFileSync(path('whole.exr')))).toBe(true);
     expect(difference('other.exr', 'whole.exr')).toBeGreaterThan(0.01);
     const { attributes } = exr('other.exr');
-    expect(attributes['irradia:until']).toBe('error 0.5');
+    expect(attributes['irradia:until']).toBe('error 0.5, 16384 samples');
     expect(Number(String(attributes['irradia:samples']).slice(2))).toBeGreaterThanOrEqual(16);
   });
 

@@ -11,7 +11,8 @@ const command: Command = {
   summary: 'Parts of a path traced picture as one: the samples of all of them.',
   details: [
     '  A.exr ...  by `irradia render --samples A:B`, of one document and with the same settings, no sample in two',
-    '             of them; gaps between them are allowed. Layers are merged, too',
+    '             of them; gaps between them are allowed. Layers are merged, too;',
+    '             of what was denoised, the layer with the noise',
     '  -o         an .exr can be merged again; a .png is what the lab shows',
   ],
   options: { output: { type: 'string', short: 'o' } },

@@ -1,6 +1,7 @@
 /** Parts of a rendering as one: the mean of what they hold, weighted by their numbers of samples. */
 import type { ExrChannel, ExrImage } from '../../io/exr.ts';
 import { CliError } from '../command.ts';
+import { COUNTS, NOISY } from './picture.ts';
 import { formatRanges, joined, overlap, rangesLength } from './ranges.ts';
 import { difference, fromAttributes, type RenderRecord, toAttributes } from './record.ts';
 
@@ -14,7 +15,18 @@ export function partOf(image: ExrImage, fileName: string): Part {
   const record = fromAttributes(image.attributes ?? {}, fileName);
   if (record.renderer !== 'pathtracer')
     throw new CliError(`${fileName}: renderer: ${record.renderer}; only path traced pictures can be merged`);
-  return { fileName, image, record };
+  return { fileName, image: unfiltered(image), record: { ...record, denoised: false } };
+}
+
+/** With its noise, of which samples take away more than a filter can: a mean of denoised pictures keeps their faults. */
+function unfiltered(image: ExrImage): ExrImage {
+  const noisy = image.channels.filter(({ name }) => name.startsWith(NOISY));
+  const names = noisy.map(({ name }) => name.slice(NOISY.length));
+  const others = image.channels.filter(
+    (channel) => !noisy.includes(channel) && !names.includes(channel.name),
+  );
+  const radiance = noisy.map((channel, i) => ({ ...channel, name: names[i]! }));
+  return { ...image, channels: [...radiance, ...others] };
 }
 
 /** @throws CliError naming the file and the field by which it is no part of the same rendering */
@@ -32,15 +44,26 @@ export function mergeParts(parts: readonly Part[]): { image: ExrImage; record: R
     until: `samples ${formatRanges(ranges)}`,
     device: [...devices].join('; '),
   };
-  const counts = parts.map(({ record }) => rangesLength(record.samples));
-  const channels = one.image.channels.map(({ name, type }) => ({
-    name,
-    type,
-    pixels: mergedChannel(name, parts, counts),
-  }));
   const { width, height } = one.image;
+  const counts = parts.map((part) => countsOf(part));
+  const channels = one.image.channels
+    .filter(({ name }) => name !== COUNTS)
+    .map(({ name, type }) => ({ name, type, pixels: mergedChannel(name, parts, counts) }));
+  if (parts.some(({ image }) => image.channels.some(({ name }) => name === COUNTS)))
+    channels.push({ name: COUNTS, type: 'float', pixels: total(counts) });
   return { image: { width, height, channels, attributes: toAttributes(record) }, record };
 }
+
+/** How many samples each pixel has. */
+function countsOf({ image: { width, height, channels }, record }: Part): Float32Array {
+  return (
+    channels.find(({ name }) => name === COUNTS)?.pixels ??
+    new Float32Array(width * height).fill(rangesLength(record.samples))
+  );
+}
+
+const total = (counts: readonly Float32Array[]): Float32Array =>
+  counts[0]!.map((_, pixel) => counts.reduce((sum, count) => sum + count[pixel]!, 0));
 
 function checkSame(one: Part, other: Part): void {
   const refuse = (field: string): never => {
@@ -50,7 +73,11 @@ function checkSame(one: Part, other: Part): void {
   if (size(other) !== size(one)) refuse(`size: ${size(other)}, not ${size(one)}`);
   const field = difference(other.record, one.record);
   if (field !== null) refuse(field);
-  const names = ({ image }: Part) => image.channels.map(({ name }) => name).sort();
+  const names = ({ image }: Part) =>
+    image.channels
+      .map(({ name }) => name)
+      .filter((name) => name !== COUNTS)
+      .sort();
   const missing = names(one).find((name) => !names(other).includes(name));
   if (missing !== undefined) refuse(`channels: it has no ${missing}`);
   const extra = names(other).find((name) => !names(one).includes(name));
@@ -63,16 +90,16 @@ function checkDisjoint(a: Part, b: Part): void {
     throw new CliError(`${a.fileName} and ${b.fileName} both have the samples ${formatRanges([common])}`);
 }
 
-function mergedChannel(name: string, parts: readonly Part[], counts: readonly number[]): Float32Array {
+function mergedChannel(name: string, parts: readonly Part[], counts: readonly Float32Array[]): Float32Array {
   const of = (channel: string) => parts.map(({ image }) => pixelsOf(image.channels, channel));
   if (name.startsWith('variance.'))
     return mergedVariance(of(name), of(name.slice('variance.'.length)), counts);
   // Depth is the mean over the samples that hit something.
   if (name === 'depth.Z') {
     const hits = of('depth.A');
-    return mean(of(name), (part, pixel) => counts[part]! * hits[part]![pixel]!);
+    return mean(of(name), (part, pixel) => counts[part]![pixel]! * hits[part]![pixel]!);
   }
-  return mean(of(name), (part) => counts[part]!);
+  return mean(of(name), (part, pixel) => counts[part]![pixel]!);
 }
 
 function pixelsOf(channels: readonly ExrChannel[], name: string): Float32Array {
@@ -103,15 +130,16 @@ function mean(
 function mergedVariance(
   variances: readonly Float32Array[],
   means: readonly Float32Array[],
-  counts: readonly number[],
+  counts: readonly Float32Array[],
 ): Float32Array {
-  const n = counts.reduce((sum, count) => sum + count, 0);
   return new Float32Array(variances[0]!.length).map((_, pixel) => {
-    const whole = counts.reduce((sum, count, part) => sum + count * means[part]![pixel]!, 0) / n;
+    const own = counts.map((count) => count[pixel]!);
+    const n = own.reduce((sum, count) => sum + count, 0);
+    const whole = own.reduce((sum, count, part) => sum + count * means[part]![pixel]!, 0) / n;
     // Sum of squared distances from the mean of all.
-    const squares = counts.reduce((sum, count, part) => {
-      const own = count * (count - 1) * variances[part]![pixel]!;
-      return sum + own + count * (means[part]![pixel]! - whole) ** 2;
+    const squares = own.reduce((sum, count, part) => {
+      const within = count * (count - 1) * variances[part]![pixel]!;
+      return sum + within + count * (means[part]![pixel]! - whole) ** 2;
     }, 0);
     return n > 1 ? squares / (n * (n - 1)) : 0;
   });

@@ -10,6 +10,8 @@ export const DEFAULTS = {
   size: '1280x720',
   spp: 64,
   maxDepth: 16,
+  /** Of --error: a tile that cannot become good enough must end some time. */
+  mostSamples: 16_384,
   fps: 24,
   turntable: 36,
 } as const;
@@ -33,6 +35,7 @@ export const renderOptions: Command['options'] = {
   'max-depth': { type: 'string' },
   seed: { type: 'string' },
   clamp: { type: 'string' },
+  denoise: { type: 'boolean' },
   aov: { type: 'string' },
   frames: { type: 'string' },
   fps: { type: 'string' },
@@ -52,6 +55,7 @@ export interface RenderOptions {
   readonly maxDepth: number;
   readonly seed: number;
   readonly clamp: number;
+  readonly denoise: boolean;
   readonly aovs: readonly Aov[];
   readonly animation: Animation | null;
 }
@@ -85,12 +89,13 @@ export function parseRenderOptions(options: Call['options']): RenderOptions {
     maxDepth: integer(words, 'max-depth', [1, 1024]) ?? DEFAULTS.maxDepth,
     seed: integer(words, 'seed', [0, RANGE_LIMIT - 1]) ?? 0,
     clamp: number(words, 'clamp', 'a radiance, 0 or more', (x) => x >= 0) ?? 0,
+    denoise: options.denoise === true,
     aovs: parseAovs(words.aov, format),
     animation: parseAnimation(words),
   };
 }
 
-const PATH_TRACER_ONLY = ['spp', 'time', 'error', 'samples', 'max-depth', 'seed', 'clamp', 'aov'];
+const PATH_TRACER_ONLY = ['spp', 'time', 'error', 'samples', 'max-depth', 'seed', 'clamp', 'denoise', 'aov'];
 
 function refuse(words: Words, names: readonly string[], unless: string): void {
   for (const name of names) {
@@ -134,7 +139,10 @@ export function checkFilmSize({ width, height }: Pick<RenderOptions, 'width' | '
 }
 
 function parseUntil(words: Words): Pick<RenderOptions, 'until' | 'first'> {
-  const given = (['spp', 'time', 'error', 'samples'] as const).filter((name) => words[name] !== undefined);
+  const given = (['spp', 'time', 'error', 'samples'] as const).filter(
+    // With --error it is the most that any pixel gets.
+    (name) => words[name] !== undefined && !(name === 'spp' && words.error !== undefined),
+  );
   if (given.length > 1)
     throw new UsageError(`${given.map((name) => `--${name}`).join(' and ')}: expected one of them`);
   if (words.samples !== undefined) {
@@ -146,11 +154,10 @@ function parseUntil(words: Words): Pick<RenderOptions, 'until' | 'first'> {
   const seconds = number(words, 'time', 'seconds, more than 0', (x) => x > 0);
   if (seconds !== undefined) return { first: 0, until: { kind: 'time', seconds } };
   const error = number(words, 'error', 'a number above 0, such as 0.02', (x) => x > 0);
-  if (error !== undefined) return { first: 0, until: { kind: 'error', error } };
-  return {
-    first: 0,
-    until: { kind: 'samples', count: integer(words, 'spp', [1, RANGE_LIMIT]) ?? DEFAULTS.spp },
-  };
+  const spp = integer(words, 'spp', [1, RANGE_LIMIT]);
+  if (error !== undefined)
+    return { first: 0, until: { kind: 'error', error, most: spp ?? DEFAULTS.mostSamples } };
+  return { first: 0, until: { kind: 'samples', count: spp ?? DEFAULTS.spp } };
 }
 
 function parseAovs(text: string | undefined, format: 'png' | 'exr'): Aov[] {

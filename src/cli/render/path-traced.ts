@@ -1,4 +1,5 @@
 /** Path traced pictures: one, or the frames of an animation. */
+import { denoise } from '../../pathtracer/denoise/denoise.ts';
 import type { Document } from '../../scene/schema.ts';
 import { CliError } from '../command.ts';
 import { Interruption } from './interruption.ts';
@@ -63,20 +64,27 @@ async function renderShot(
     lost,
     onProgress: (state) => bar.update(state),
   });
-  bar.clear();
-  const { film, samples, stopped } = result;
+  const { film, numbers, stopped } = result;
   // Half a frame would look like a whole one when the animation goes on.
   const isWorthIt = film !== null && (stopped === null || animation === null);
   if (isWorthIt) {
-    const range = { from: first, to: first + samples };
+    const range = { from: first, to: first + numbers };
     const record = { ...planned, samples: [range], device: tracer.device };
+    // An interruption ends the rendering; its picture is finished as any other.
+    const denoised = options.denoise
+      ? await denoise(film, {
+          onProgress: (part) => bar.prepare(`${title}denoising, ${Math.floor(100 * part)} %`),
+        })
+      : null;
+    bar.clear();
     const file =
       options.format === 'exr'
-        ? filmToExr(film, record, options.aovs)
-        : radianceToPng(film.mean(), film, record);
+        ? filmToExr(film, record, options.aovs, denoised)
+        : radianceToPng(denoised ?? film.mean(), film, record);
     savePicture(path, `-o ${path}`, file);
     bar.end(result);
   }
+  bar.clear();
   report(result, path, isWorthIt);
 }
 
@@ -84,7 +92,7 @@ async function renderShot(
 function report({ stopped, samples }: PassesResult, path: string, isWritten: boolean): void {
   if (stopped === null) return;
   const what = isWritten
-    ? `${path} has what was finished, ${samples} ${samples === 1 ? 'sample' : 'samples'} of each pixel`
+    ? `${path} has what was finished, ${Math.floor(samples)} ${samples === 1 ? 'sample' : 'samples'} of each pixel`
     : `${path} was not finished and not written`;
   if (stopped !== 'signal') throw new CliError(`${stopped.message}; ${what}`, { cause: stopped });
   say(`interrupted: ${what}`);

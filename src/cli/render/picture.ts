@@ -14,9 +14,25 @@ const COMPONENTS: Readonly<Record<Aov, readonly string[]>> = {
   variance: ['R', 'G', 'B'],
 };
 
-export function filmToExr(film: Film, record: RenderRecord, aovs: readonly Aov[]): Uint8Array {
+/** The channel of the numbers of samples, where pixels have different ones. */
+export const COUNTS = 'samples';
+/** The layer of the radiance before it was denoised. */
+export const NOISY = 'noisy.';
+const RGB = ['R', 'G', 'B'];
+
+/** @param denoised RGB, instead of the film's own radiance, which is then in a layer */
+export function filmToExr(
+  film: Film,
+  record: RenderRecord,
+  aovs: readonly Aov[],
+  denoised: Float32Array | null = null,
+): Uint8Array {
   const channels = [
-    ...layer('', ['R', 'G', 'B'], film.mean()),
+    ...layer('', RGB, denoised ?? film.mean()),
+    ...(denoised === null ? [] : layer(NOISY, RGB, film.mean())),
+    ...(film.count.every((n) => n === film.count[0])
+      ? []
+      : [{ name: COUNTS, type: 'float' as const, pixels: Float32Array.from(film.count) }]),
     ...aovs.flatMap((aov) => layer(`${aov}.`, COMPONENTS[aov], aovPixels(film, aov))),
   ];
   const { width, height } = film;

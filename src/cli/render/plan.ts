@@ -39,6 +39,7 @@ function recordOf(document: Document, hash: string, shot: Shot, options: RenderO
     device: '',
     exposure: view.exposure,
     toneMapping: view.toneMapping,
+    denoised: options.denoise,
   };
   if (options.renderer === 'realtime') return { ...common, ...ONE_FRAME };
   const { until, first, maxDepth, clamp } = options;
@@ -67,5 +68,5 @@ const ONE_FRAME = {
 
 function untilText(until: Until, first: number): string {
   if (until.kind === 'samples') return `samples ${first}:${first + until.count}`;
-  return until.kind === 'time' ? `time ${until.seconds}` : `error ${until.error}`;
+  return until.kind === 'time' ? `time ${until.seconds}` : `error ${until.error}, ${until.most} samples`;
 }

@@ -24,13 +24,15 @@ export interface RenderIdentity {
 export interface RenderRecord extends RenderIdentity {
   /** The document's, for a person to read. */
   readonly name: string;
-  /** Numbers of the samples that every pixel has. */
+  /** Numbers of the samples that the pixels have: all of them, unless the picture has a channel of their counts. */
   readonly samples: readonly Range[];
   /** When it was to end: 'spp 64'. */
   readonly until: string;
   readonly device: string;
   readonly exposure: number;
   readonly toneMapping: View['toneMapping'];
+  /** Whether R, G and B are what the denoiser made of it. */
+  readonly denoised: boolean;
 }
 
 export function documentHash(document: Document): string {
@@ -41,8 +43,12 @@ type Attributes = Readonly<Record<string, string | number>>;
 
 const PREFIX = 'irradia:';
 
-export function toAttributes({ samples, ...record }: RenderRecord): Record<string, string | number> {
-  const own = { ...record, samples: formatRanges(samples) };
+export function toAttributes({
+  samples,
+  denoised,
+  ...record
+}: RenderRecord): Record<string, string | number> {
+  const own = { ...record, samples: formatRanges(samples), ...(denoised && { denoised: 'yes' }) };
   const entries = Object.entries(own).map(([name, value]) => [
     PREFIX + name,
     typeof value === 'number' && !Number.isInteger(value) ? String(value) : value,
@@ -84,6 +90,7 @@ export function fromAttributes(attributes: Attributes, fileName: string): Render
     device: text('device'),
     exposure: number('exposure'),
     toneMapping: text('toneMapping') as RenderRecord['toneMapping'],
+    denoised: attributes[`${PREFIX}denoised`] === 'yes',
   };
 }
 

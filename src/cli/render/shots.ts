@@ -64,6 +64,8 @@ export function whyRender(
     if (lacking !== undefined) return `it has no ${lacking}`;
     const record = fromAttributes(found.attributes, path);
     if (record.until !== wanted.until) return `it was rendered for ${record.until}, not ${wanted.until}`;
+    if (record.denoised !== wanted.denoised)
+      return `it was rendered ${wanted.denoised ? 'without' : 'with'} --denoise`;
     return difference(record, wanted);
   } catch (error) {
     return (error as Error).message;

@@ -35,6 +35,7 @@ const record: RenderRecord = {
   device: 'fake',
   exposure: -1.5,
   toneMapping: 'agx',
+  denoised: false,
 };
 
 function part(
@@ -80,6 +81,52 @@ describe('merge', () => {
       { from: 8, to: 9 },
     ]);
     expect(mergeParts([again, part('b', { from: 4, to: 8 })]).record.samples).toEqual([{ from: 0, to: 9 }]);
+  });
+
+  test('weighs every pixel by its own number of samples, where pixels have different ones', () => {
+    const film = new Film(SIZE, SIZE);
+    const rest = new Film(SIZE, SIZE);
+    const whole = new Film(SIZE, SIZE);
+    for (let pixel = 0; pixel < SIZE * SIZE; pixel++) {
+      for (let number = 0; number < 12; number++) {
+        if (number >= 8) rest.add(sample(pixel, number), pixel);
+        // Every third pixel ended early.
+        else if (pixel % 3 > 0 || number < 4) film.add(sample(pixel, number), pixel);
+        else continue;
+        whole.add(sample(pixel, number), pixel);
+      }
+    }
+    const read = (of: Film, { from, to }: Range) =>
+      partOf(decodeExr(filmToExr(of, { ...record, samples: [{ from, to }] }, AOVS), 'x'), 'x');
+    const { image } = mergeParts([read(film, { from: 0, to: 8 }), read(rest, { from: 8, to: 12 })]);
+    const expected = read(whole, { from: 0, to: 12 }).image;
+    expect(image.channels.map(({ name }) => name).sort()).toEqual(
+      expected.channels.map(({ name }) => name).sort(),
+    );
+    for (const { name, pixels } of image.channels) {
+      const right = expected.channels.find((channel) => channel.name === name)?.pixels ?? [];
+      pixels.forEach((value, i) => {
+        expect(Math.abs(value - right[i]!), `${name} ${i}`).toBeLessThan(1e-6 * (1 + Math.abs(value)));
+      });
+    }
+    expect(image.channels.find(({ name }) => name === 'samples')?.pixels.slice(0, 3)).toEqual(
+      Float32Array.of(8, 12, 12),
+    );
+  });
+
+  test('takes the layer with the noise of a denoised picture', () => {
+    const film = new Film(SIZE, SIZE);
+    for (let pixel = 0; pixel < SIZE * SIZE; pixel++) film.add(sample(pixel, 0), pixel);
+    const own = { ...record, samples: [{ from: 0, to: 1 }], denoised: true };
+    const file = filmToExr(film, own, [], new Float32Array(3 * SIZE * SIZE));
+    const { image, record: merged } = mergeParts([
+      partOf(decodeExr(file, 'a'), 'a'),
+      part('b', { from: 1, to: 2 }, {}, SIZE, []),
+    ]);
+    expect(merged.denoised).toBe(false);
+    expect(image.channels.map(({ name }) => name).sort()).toEqual(['B', 'G', 'R']);
+    const red = image.channels.find(({ name }) => name === 'R')?.pixels ?? [];
+    expect(red[7]).toBeCloseTo((sample(7, 0)[0]! + sample(7, 1)[0]!) / 2, 5);
   });
 
   const a = part('a.exr', { from: 0, to: 4 });

@@ -19,6 +19,7 @@ test('what is left out has its default', () => {
     maxDepth: 16,
     seed: 0,
     clamp: 0,
+    denoise: false,
     aovs: [],
     animation: null,
   });
@@ -28,7 +29,8 @@ test.each([
   [{ spp: '7' }, { until: { kind: 'samples', count: 7 }, first: 0 }],
   [{ samples: '8:24' }, { until: { kind: 'samples', count: 16 }, first: 8 }],
   [{ time: '1.5' }, { until: { kind: 'time', seconds: 1.5 } }],
-  [{ error: '0.02' }, { until: { kind: 'error', error: 0.02 } }],
+  [{ error: '0.02' }, { until: { kind: 'error', error: 0.02, most: 16_384 } }],
+  [{ error: '0.02', spp: '99' }, { until: { kind: 'error', error: 0.02, most: 99 } }],
   [{ aov: 'variance,albedo' }, { aovs: ['albedo', 'variance'] }],
   [
     { clamp: '2.5', seed: '9', 'max-depth': '3' },

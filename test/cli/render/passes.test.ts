@@ -64,12 +64,20 @@ test('a pass has one sample of each pixel at least', async () => {
 test('ends when the error is small enough, and not on the word of a few samples', async () => {
   const { tracer } = fakeTracer();
   // The mean is 1 and so is a sample's standard deviation: that of n samples' mean is 1 / sqrt(n - 1).
-  const small = await renderPasses(tracer, options({ until: { kind: 'error', error: 0.1 } }));
+  const small = await renderPasses(tracer, options({ until: { kind: 'error', error: 0.1, most: 1000 } }));
   expect(small.error).toBeLessThanOrEqual(0.1);
   expect(small.samples).toBeGreaterThan(100);
   expect(small.samples).toBeLessThan(140);
-  const large = await renderPasses(fakeTracer().tracer, options({ until: { kind: 'error', error: 9 } }));
+  const large = await renderPasses(
+    fakeTracer().tracer,
+    options({ until: { kind: 'error', error: 9, most: 1000 } }),
+  );
   expect(large.samples).toBe(16);
+  const capped = await renderPasses(
+    fakeTracer().tracer,
+    options({ until: { kind: 'error', error: 0.1, most: 50 } }),
+  );
+  expect(capped.samples).toBe(50);
 });
 
 test('a time that is over at once gives one sample', async () => {
