@@ -194,7 +194,8 @@ export class Viewport {
     renderer.companion = shown ? { radiance: texture, from: rendering === 'split' ? divider : 0 } : null;
     // What is not seen need not be drawn: the machine is the path tracer's.
     const hidden = shown && rendering === 'traced' && !continuous;
-    if (hidden || (shown && !this.#stale && !continuous)) {
+    const asBefore = rendering !== 'interactive' && !this.#stale && !continuous;
+    if (hidden || asBefore) {
       renderer.renderAgain(view);
       return;
     }
