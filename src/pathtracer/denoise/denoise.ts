@@ -1,10 +1,11 @@
 /** The picture that a noisy film would become (docs/decisions/denoising.md). */
 import type { Film } from '../film.ts';
 import { Pace } from '../scene/pace.ts';
+import { featuresOf } from './features.ts';
 import { tameFireflies } from './fireflies.ts';
-import { type Feature, type NlMeansOptions, nlMeans } from './nl-means.ts';
+import { type NlMeansOptions, nlMeans } from './nl-means.ts';
 import { type FilmPlanes, filmPlanes, type Planes } from './planes.ts';
-import { boxMean, noiseScale, slope, usableVariance } from './statistics.ts';
+import { boxMean, noiseScale, usableVariance } from './statistics.ts';
 
 export interface DenoiseOptions {
   readonly signal?: AbortSignal;
@@ -37,15 +38,14 @@ export async function denoise(
       pace,
       onProgress: (part) => onProgress?.((i + part) / stages),
     });
-    const geometry = geometryFeatures(planes, film.count);
     const albedo = await nlMeans(planes.albedo, {
       step: 1,
       radius: ALBEDO_RADIUS,
       strength: 1,
-      features: geometry,
+      features: featuresOf(planes, null, film.count),
       ...stage(0),
     });
-    const features = [...geometry, albedoFeature(albedo)];
+    const features = featuresOf(planes, albedo, film.count);
     const beyond = backgroundAlbedo(planes);
     const divisor = albedo.channels.map((channel) =>
       channel.map((x, pixel) => Math.max(x, LEAST_ALBEDO) + beyond * (1 - planes.alpha[pixel]!)),
@@ -99,31 +99,4 @@ function demodulated(radiance: Planes, divisor: readonly Float32Array[]): Planes
     channels: radiance.channels.map((channel, c) => channel.map((x, pixel) => x / divisor[c]![pixel]!)),
     variance: radiance.variance.map((x, pixel) => x * scale[pixel]!),
   };
-}
-
-function geometryFeatures({ normal, depth, alpha }: FilmPlanes, count: Float64Array): Feature[] {
-  const { width, height } = normal;
-  const tolerances = (
-    channels: readonly Float32Array[],
-    least: (pixel: number) => number,
-    variance?: Float32Array,
-  ) => {
-    const slopes = slope(channels, width, height);
-    return slopes.map((x, pixel) => least(pixel) + x + (variance?.[pixel] ?? 0));
-  };
-  // A tenth of a radian and of the hits, a hundredth of the distance; more where surfaces bend, lean or are noisy.
-  return [
-    { channels: normal.channels, tolerance: tolerances(normal.channels, () => 0.01, normal.variance) },
-    { channels: [depth], tolerance: tolerances([depth], (pixel) => (0.01 * depth[pixel]!) ** 2 + 1e-12) },
-    {
-      channels: [alpha],
-      tolerance: alpha.map((x, pixel) => 0.01 + (x * (1 - x)) / Math.max(1, count[pixel]! - 1)),
-    },
-  ];
-}
-
-/** Light is without the albedo's pattern: its edges are there only to keep materials apart. */
-function albedoFeature({ channels, variance, width, height }: Planes): Feature {
-  const slopes = slope(channels, width, height);
-  return { channels, tolerance: slopes.map((x, pixel) => 0.005 + 0.5 * x + variance[pixel]!) };
 }

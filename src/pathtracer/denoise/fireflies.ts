@@ -3,7 +3,8 @@
  * too much goes to the pixels about them, as far as those are noisy enough to hide it; the rest is given up, and the
  * picture is darker by that much. The film keeps it all.
  */
-import { type Feature, falloff, featureDistance } from './nl-means.ts';
+import { type Features, featureDistance } from './features.ts';
+import { falloff } from './nl-means.ts';
 import type { Planes } from './planes.ts';
 
 /** Pixels to each side among which a pixel's brightness should not stand out. */
@@ -19,7 +20,7 @@ const MOST_DEVIATIONS = 2;
 /** Pixels to each side among which the excess is shared. */
 const SHARE_REACH = 5;
 
-export function tameFireflies(planes: Planes, features: readonly Feature[]): Planes {
+export function tameFireflies(planes: Planes, features: Features): Planes {
   const { width, height, variance } = planes;
   const [a, b, c] = planes.channels as [Float32Array, Float32Array, Float32Array];
   const brightness = a.map((x, pixel) => x + b[pixel]! + c[pixel]!);
@@ -64,7 +65,7 @@ function limit(brightness: Float32Array, width: number, height: number, pixel: n
 /** Gives a part of a pixel's radiance to its neighbours, none of them more than its own noise hides. */
 function share(
   { width, height, channels: from, variance }: Planes,
-  features: readonly Feature[],
+  features: Features,
   pixel: number,
   part: number,
   channels: readonly Float32Array[],

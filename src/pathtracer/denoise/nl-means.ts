@@ -5,13 +5,8 @@
  *   F. Rousselle, M. Manzi, M. Zwicker, 2013, "Robust Denoising using Feature and Color Information", CGF 32(7).
  */
 import type { Pace } from '../scene/pace.ts';
+import { FARTHEST, type Features, featureDistance } from './features.ts';
 import type { Planes } from './planes.ts';
-
-/** A group of features: their squared distance counts in units of `tolerance`, which is added up of both pixels. */
-export interface Feature {
-  readonly channels: readonly Float32Array[];
-  readonly tolerance: Float32Array;
-}
 
 export interface NlMeansOptions {
   /** Pixels between the pixels that are looked at: 1 looks at all (H. Dammertz et al., 2010, "Edge-Avoiding A-Trous Wavelet Transform"). */
@@ -20,7 +15,7 @@ export interface NlMeansOptions {
   readonly radius: number;
   /** How different pixels may be, in standard deviations; more is smoother. */
   readonly strength: number;
-  readonly features: readonly Feature[];
+  readonly features: Features;
   readonly pace: Pace;
   onProgress?(part: number): void;
 }
@@ -176,7 +171,7 @@ function sumAlong(values: Float32Array, out: Float32Array, left: number, right: 
 
 function shareRow(
   { channels, variance }: Planes,
-  features: readonly Feature[],
+  features: Features,
   start: number,
   left: number,
   right: number,
@@ -214,25 +209,6 @@ function shareRow(
     sumV[q]! += wq * wq * variance[p]!;
   }
 }
-
-export function featureDistance(features: readonly Feature[], p: number, q: number): number {
-  let most = 0;
-  for (let i = 0; i < features.length; i++) {
-    const { channels, tolerance } = features[i]!;
-    let squared = 0;
-    for (let c = 0; c < channels.length; c++) {
-      const channel = channels[c]!;
-      const difference = channel[p]! - channel[q]!;
-      squared += difference * difference;
-    }
-    const distance = squared / (tolerance[p]! + tolerance[q]!);
-    if (distance > most) most = distance;
-  }
-  return most;
-}
-
-/** Where falloff() is 0. */
-const FARTHEST = 8;
 
 /** (1 - d / 8)^8, about exp(-d), of d >= 0. */
 export function falloff(distance: number): number {

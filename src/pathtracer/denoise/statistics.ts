@@ -1,5 +1,5 @@
 /** What pixels about a pixel say of it. */
-import { type Feature, featureDistance } from './nl-means.ts';
+import { type Features, featureDistance } from './features.ts';
 import type { Planes } from './planes.ts';
 
 interface Size {
@@ -34,27 +34,6 @@ function alongLines(
   return out;
 }
 
-/**
- * The squared length of the gradient per pixel, by the smaller of the differences to both sides: a plane that is seen
- * at an angle has one, an edge does not.
- */
-export function slope(channels: readonly Float32Array[], width: number, height: number): Float32Array {
-  return new Float32Array(width * height).map((_, pixel) => {
-    const x = pixel % width;
-    const y = (pixel - x) / width;
-    let sum = 0;
-    for (const channel of channels) {
-      const at = channel[pixel]!;
-      const difference = (isInside: boolean, other: number) =>
-        isInside ? Math.abs(channel[other]! - at) : Number.POSITIVE_INFINITY;
-      const dx = Math.min(difference(x > 0, pixel - 1), difference(x + 1 < width, pixel + 1));
-      const dy = Math.min(difference(y > 0, pixel - width), difference(y + 1 < height, pixel + width));
-      sum += (Number.isFinite(dx) ? dx * dx : 0) + (Number.isFinite(dy) ? dy * dy : 0);
-    }
-    return sum;
-  });
-}
-
 const SPREAD_RADIUS = 2;
 
 /** With the variance of the pixels about it where a pixel has too few samples to have one of its own. */
@@ -85,7 +64,7 @@ const ROUNDING = 1e-6;
  * How much smaller the noise is than the variances say, 1 at most: samples are spread more evenly than independent
  * ones. Neighbours with alike features differ by noise alone in most places; the median does not mind the others.
  */
-export function noiseScale({ width, channels, variance }: Planes, features: readonly Feature[]): number {
+export function noiseScale({ width, channels, variance }: Planes, features: Features): number {
   const ratios: number[] = [];
   const [a, b, c] = channels as [Float32Array, Float32Array, Float32Array];
   for (let p = 0; p + 1 < variance.length; p++) {
