@@ -1,4 +1,5 @@
-import { type Integral, integrateHemisphere, type QuadratureOptions } from './quadrature.ts';
+import type { Integral } from './quadrature.ts';
+import { integrateReflection, type ReflectionOptions } from './reflection-quadrature.ts';
 import type { Vec3 } from './vector.ts';
 
 /**
@@ -12,15 +13,14 @@ import type { Vec3 } from './vector.ts';
 export function directionalAlbedo(
   f: (l: Vec3, v: Vec3) => Vec3,
   v: Vec3,
-  options: QuadratureOptions = {},
+  options: ReflectionOptions = {},
 ): Integral {
-  // The peaks that reflection has: the mirror direction, and back to where the light came from.
-  const mirror: Vec3 = [-v[0], -v[1], v[2]];
-  return integrateHemisphere(
+  return integrateReflection(
     (l) => {
       const [r, g, b] = f(l, v);
       return [r * l[2], g * l[2], b * l[2]];
     },
-    { tolerance: 1e-4, ...options, focus: [mirror, v] },
+    v,
+    { tolerance: 1e-4, ...options },
   );
 }

@@ -55,9 +55,13 @@ export interface Rectangle {
 export function integrateRectangle(
   f: (x: number, y: number) => readonly number[],
   rectangle: Rectangle,
-  options: QuadratureOptions & { readonly focus?: readonly (readonly [number, number])[] } = {},
+  options: QuadratureOptions & {
+    readonly focus?: readonly (readonly [number, number])[];
+    /** Columns and rows to begin with; one cell if not given. */
+    readonly grid?: readonly [number, number];
+  } = {},
 ): Integral {
-  const { tolerance = 1e-6, maxEvaluations = 200_000, focus = [], focusDepth = 8 } = options;
+  const { tolerance = 1e-6, maxEvaluations = 200_000, focus = [], focusDepth = 8, grid = [1, 1] } = options;
   let evaluations = 0;
 
   const measure = ({ x, y, width, height }: Rectangle): Cell => {
@@ -90,14 +94,23 @@ export function integrateRectangle(
       { x: x + w, y: y + h, width: w, height: h },
     ];
   };
+  // What is on an edge belongs to both sides, whatever the edge was rounded to.
+  const within = (x: number, start: number, length: number) =>
+    x >= start - 1e-9 * length && x <= start + (1 + 1e-9) * length;
   const contains = (cell: Rectangle) =>
-    focus.some(
-      ([x, y]) => x >= cell.x && x <= cell.x + cell.width && y >= cell.y && y <= cell.y + cell.height,
-    );
+    focus.some(([x, y]) => within(x, cell.x, cell.width) && within(y, cell.y, cell.height));
   const refine = (cell: Rectangle, depth: number): Rectangle[] =>
     depth > 0 && contains(cell) ? quarters(cell).flatMap((quarter) => refine(quarter, depth - 1)) : [cell];
 
-  let cells = refine(rectangle, focusDepth).map(measure);
+  const [columns, rows] = grid;
+  const [width, height] = [rectangle.width / columns, rectangle.height / rows];
+  const first = Array.from({ length: columns * rows }, (_, i) => ({
+    x: rectangle.x + (i % columns) * width,
+    y: rectangle.y + Math.floor(i / columns) * height,
+    width,
+    height,
+  }));
+  let cells = first.flatMap((cell) => refine(cell, focusDepth)).map(measure);
   for (;;) {
     const error = cells.reduce((sum, cell) => sum + cell.error, 0);
     if (error <= tolerance || evaluations >= maxEvaluations) {

@@ -14,7 +14,7 @@ import { cornerParameters } from './hostile.ts';
 
 const white = { baseColor: [1, 1, 1] } as const;
 
-function albedo(name: string, p: ParameterValues, cosTheta: number, maxEvaluations = 40_000): number {
+function albedo(name: string, p: ParameterValues, cosTheta: number, maxEvaluations = 8_000): number {
   const evaluator = createEvaluator(shippedModels.get(name)!, p);
   const view = direction(cosTheta, 0.4);
   return directionalAlbedo((l) => evaluator.f(l, view), view, { tolerance: 1e-3, maxEvaluations }).value[0]!;

@@ -1,6 +1,5 @@
 /** The directional albedo over theta_v, one angle at a time, so that who asks can draw what is there. */
 import { directionalAlbedo } from '../albedo.ts';
-import type { QuadratureOptions } from '../quadrature.ts';
 import { direction } from '../vector.ts';
 import { type Curve, type CurvePoint, type Reflectance, type Rgb, radians } from './curve.ts';
 
@@ -9,22 +8,17 @@ const LAST = 89;
 const STEP = 3;
 
 /** Estimated absolute error: what a plot can show. */
-const TOLERANCE = 1e-3;
-const MOST_EVALUATIONS = 20_000;
+const TOLERANCE = 5e-4;
+const MOST_EVALUATIONS = 10_000;
 
 export const albedoAngles: readonly number[] = [
   ...Array.from({ length: Math.ceil(LAST / STEP) }, (_, i) => i * STEP),
   LAST,
 ];
 
-export function albedoAt(
-  f: Reflectance,
-  thetaV: number,
-  phiV: number,
-  { tolerance = TOLERANCE, maxEvaluations = MOST_EVALUATIONS }: QuadratureOptions = {},
-): CurvePoint {
+export function albedoAt(f: Reflectance, thetaV: number, phiV: number): CurvePoint {
   const v = direction(Math.cos(radians(thetaV)), radians(phiV));
-  const { value } = directionalAlbedo(f, v, { tolerance, maxEvaluations });
+  const { value } = directionalAlbedo(f, v, { tolerance: TOLERANCE, maxEvaluations: MOST_EVALUATIONS });
   return { angle: thetaV, rgb: value as unknown as Rgb };
 }
 

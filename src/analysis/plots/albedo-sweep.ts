@@ -18,9 +18,6 @@ export type Sweep = readonly SweepPoint[];
 const INTERVALS = 16;
 export const SWEEP_POINTS = INTERVALS + 1;
 
-/** Four curves at a time: a width of their lines is exact enough. */
-const QUADRATURE = { tolerance: 3e-3, maxEvaluations: 6000 };
-
 export interface SweepOptions {
   readonly min: number;
   readonly max: number;
@@ -46,7 +43,7 @@ export function* albedoSweep(
       const f = at(value);
       const albedos: Rgb[] = [];
       for (const angle of sweepAngles) {
-        albedos.push(albedoAt(f, angle, phiV, QUADRATURE).rgb);
+        albedos.push(albedoAt(f, angle, phiV).rgb);
         yield null;
       }
       points.push({ value, albedos });

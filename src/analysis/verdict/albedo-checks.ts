@@ -1,6 +1,6 @@
 import type { ParameterValues } from '../../brdf/model.ts';
 import { directionalAlbedo } from '../albedo.ts';
-import { integrateHemisphere } from '../quadrature.ts';
+import type { Reflectance } from '../plots/curve.ts';
 import { direction, type Vec3 } from '../vector.ts';
 import { type Context, percent, placeOf, short } from './context.ts';
 import { cornerParameters, endsOf, moved, nearParameters, randomParameters } from './space.ts';
@@ -24,33 +24,26 @@ interface Albedo {
 const finite = (x: number) => (Number.isFinite(x) ? x : 0);
 
 /** What is not finite is another check's to report; here it would only keep the quadrature from ending. */
-function finiteBrdf(context: Context, parameters: ParameterValues): (l: Vec3, v: Vec3) => Vec3 {
-  context.use(parameters);
+function finiteBrdf(f: Reflectance): Reflectance {
   return (l, v) => {
-    const [r, g, b] = context.evaluator.f(l, v);
+    const [r, g, b] = f(l, v);
     return [finite(r), finite(g), finite(b)];
   };
 }
 
-/**
- * One pass of quadrature, finer towards the mirror direction: some 900 evaluations, enough to tell a dangerous
- * case from a harmless one.
- */
+/** One pass of quadrature in float32: some 1600 evaluations, enough to tell a dangerous case from a harmless one. */
 function rough(context: Context, parameters: ParameterValues, v: Vec3): Albedo {
-  const f = finiteBrdf(context, parameters);
-  const weighted = (l: Vec3) => f(l, v).map((x) => x * l[2]);
-  const { value, error } = integrateHemisphere(weighted, {
-    focus: [[-v[0], -v[1], v[2]]],
-    focusDepth: 6,
-    maxEvaluations: 1,
-  });
+  const f = finiteBrdf(context.quick(parameters));
+  const { value, error } = directionalAlbedo(f, v, { backward: false, maxEvaluations: 1 });
   return { parameters, v, value: Math.max(...value), error };
 }
 
 /** An albedo to be stated. */
 function precise(context: Context, parameters: ParameterValues, v: Vec3, maxEvaluations = 6000): Albedo {
   const options = { tolerance: TOLERANCE, maxEvaluations };
-  const { value, error } = directionalAlbedo(finiteBrdf(context, parameters), v, options);
+  context.use(parameters);
+  const f = finiteBrdf((l, w) => context.evaluator.f(l, w));
+  const { value, error } = directionalAlbedo(f, v, options);
   return { parameters, v, value: Math.max(...value), error };
 }
 

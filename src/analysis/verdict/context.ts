@@ -2,11 +2,13 @@ import type { ParameterValues } from '../../brdf/model.ts';
 import { createEvaluator, type Evaluator } from '../../glsl/evaluator.ts';
 import type { Model } from '../../glsl/model.ts';
 import { Pace } from '../pace.ts';
+import type { Reflectance } from '../plots/curve.ts';
+import { createQuickEvaluator, type QuickEvaluator } from '../quick-evaluator.ts';
 import { createRandom } from '../random.ts';
 import { neighbour } from './space.ts';
 import type { Check, Outcome, Point, Property, VerdictOptions, WorstCase } from './types.ts';
 
-/** What a check works with: the model in float64, a stream of random numbers, and a way to be interrupted. */
+/** What a check works with: the model in float64, and in float32 to search with, a stream of random numbers, and a way to be interrupted. */
 export class Context {
   readonly model: Model;
   readonly evaluator: Evaluator;
@@ -15,7 +17,9 @@ export class Context {
   private readonly options: VerdictOptions;
   private readonly progress: (done: number) => void;
   private readonly pace: Pace;
+  private readonly quickEvaluator: QuickEvaluator;
   private current: ParameterValues | null = null;
+  private quickCurrent: ParameterValues | null = null;
 
   constructor(model: Model, property: Property, options: VerdictOptions, progress: (done: number) => void) {
     this.model = model;
@@ -24,6 +28,7 @@ export class Context {
     this.progress = progress;
     this.pace = new Pace(options.signal);
     this.evaluator = createEvaluator(model);
+    this.quickEvaluator = createQuickEvaluator(model);
     // A stream of its own for each law: what one check draws must not change what another finds.
     const salt = [...property].reduce((sum, letter) => (sum * 31 + letter.charCodeAt(0)) >>> 0, 7);
     this.random = createRandom((options.seed ?? 1) * 0x1_0000 + (salt & 0xffff));
@@ -49,6 +54,13 @@ export class Context {
     if (this.current === parameters) return;
     this.evaluator.set(parameters);
     this.current = parameters;
+  }
+
+  /** A term in float32: to find what is worth a look, never to state a figure. */
+  quick(parameters: ParameterValues, term = 'BRDF'): Reflectance {
+    if (this.quickCurrent !== parameters) this.quickEvaluator.set(parameters);
+    this.quickCurrent = parameters;
+    return this.quickEvaluator.term(term);
   }
 
   /** Climbs from a point to a nearby one where the objective is larger. */

@@ -1,6 +1,6 @@
 import type { ParameterValues } from '../../brdf/model.ts';
 import { sidakLevel } from '../chi-squared.ts';
-import { integrateHemisphere } from '../quadrature.ts';
+import { integrateReflection } from '../reflection-quadrature.ts';
 import { type SamplerTestResult, testSampler } from '../sampler-test.ts';
 import { direction, type Vec3 } from '../vector.ts';
 import { type Context, percent, placeOf, short } from './context.ts';
@@ -55,8 +55,7 @@ export async function checkDensity(context: Context): Promise<Check> {
       await context.pulse(i / sets.length);
       context.use(parameters);
       const pdf = density(context, v);
-      const options = { focus: [mirrorOf(v)], tolerance: 1e-3, maxEvaluations: 3000 };
-      const integral = integrateHemisphere((l) => [pdf(l)], options);
+      const integral = integrateReflection((l) => [pdf(l)], v, { tolerance: 1e-3, maxEvaluations: 3000 });
       const value = integral.value[0] as number;
       if (value - integral.error > worst.value - worst.error)
         worst = { value, error: integral.error, parameters, v };
