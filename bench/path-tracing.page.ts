@@ -96,29 +96,65 @@ async function measureTheirs(
   mirror.camera.updateMatrixWorld(true);
 
   const tracer = new WebGPUPathTracer(renderer);
+  // Its wavefront tracer, the default, has shaders that this version of three.js refuses.
+  tracer.useMegakernel(true);
   tracer.maxBounces = depth;
+  // A round for about a sample a pixel: its default of 250,000 paths takes a software GPU a minute.
+  tracer.frameBudget = side * side;
+  // From the first round on, at full resolution.
+  tracer.renderDelay = 0;
+  tracer.minSamples = 0;
+  tracer.dynamicLowRes = false;
   tracer.setScene(scene, mirror.camera);
-  const pictures: Float32Array[] = [];
-  let time = 0;
-  let taken = 0;
-  for (let i = 0; i < 3; i++) {
-    tracer.reset();
+  const trace = async (count: number): Promise<{ count: number; picture: Float32Array; time: number }> => {
     const began = performance.now();
-    let counts = await tracer.getSampleCountsAsync();
-    while (counts.avg < samples) {
+    let taken = 0;
+    while (taken < count) {
       tracer.renderSample();
-      counts = await tracer.getSampleCountsAsync();
+      taken = await meanCount(renderer, tracer, side);
     }
-    // The first rendering compiles.
-    if (i > 0) {
-      time += performance.now() - began;
-      taken += counts.avg;
-    }
-    pictures.push(await readTexture(renderer, tracer.target as unknown as THREE.Texture, side));
-  }
-  const paths = (taken * side * side) / (time / 1000);
-  const error = (errorOf(pictures[1]!, pictures[2]!, 4) * taken) / 2;
+    const time = performance.now() - began;
+    const picture = await readTexture(renderer, tracer.target as unknown as THREE.Texture, side);
+    return { count: taken, picture, time };
+  };
+  // The first round compiles. Its random numbers begin anew with every reset, so the second picture goes on where the
+  // first one ended.
+  await trace(1);
+  tracer.reset();
+  const first = await trace(samples);
+  const both = await trace(2 * samples);
+  const ofSecond = both.count / (both.count - first.count);
+  const second = both.picture.map((x, i) => x * ofSecond - first.picture[i]! * (ofSecond - 1));
+  const paths = (both.count * side * side) / ((first.time + both.time) / 1000);
+  const error = errorOf(first.picture, second, 4) * (both.count / 2);
   return { device: 'WebGPU', paths, error };
+}
+
+/**
+ * Samples a pixel so far. Its own getSampleCountsAsync() has a shader that this version of three.js refuses, so its
+ * texture of counts is read.
+ */
+async function meanCount(
+  { backend }: THREE.WebGPURenderer,
+  tracer: WebGPUPathTracer,
+  side: number,
+): Promise<number> {
+  const { _pathTracer } = tracer as unknown as { _pathTracer: { sampleCountTarget: THREE.Texture } };
+  const { device, get } = backend as unknown as {
+    device: GPUDevice;
+    get: (texture: THREE.Texture) => { texture?: GPUTexture };
+  };
+  const { texture } = get.call(backend, _pathTracer.sampleCountTarget);
+  if (!texture || texture.width !== side) return 0;
+  const usage = GPUBufferUsage.MAP_READ | GPUBufferUsage.COPY_DST;
+  const buffer = device.createBuffer({ size: 4 * side * side, usage });
+  const encoder = device.createCommandEncoder();
+  encoder.copyTextureToBuffer({ texture }, { buffer, bytesPerRow: 4 * side }, [side, side]);
+  device.queue.submit([encoder.finish()]);
+  await buffer.mapAsync(GPUMapMode.READ);
+  const sum = new Uint32Array(buffer.getMappedRange()).reduce((a, b) => a + b, 0);
+  buffer.destroy();
+  return sum / (side * side);
 }
 
 /** The same meshes with three.js' materials, as far as these have the same parameters. */

@@ -20,7 +20,7 @@ for (const [scene, document] of [
   ['cornell', cornellBox()],
   ['suzanne', suzanneOutdoors()],
 ] as const) {
-  const request: PathTracingRequest = { scene, side: SIDE, depth: DEPTH, samples: { ours: 256, theirs: 8 } };
+  const request: PathTracingRequest = { scene, side: SIDE, depth: DEPTH, samples: { ours: 256, theirs: 4 } };
   const { ours, theirs } = await harness.run<PathTracingResult>(request);
   const tracer = createCpuPathTracer();
   await tracer.load(await new ScenePacker(new AssetLoader(nodeAssets)).pack(document));
