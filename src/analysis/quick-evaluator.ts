@@ -2,7 +2,7 @@
  * A model in float32, as WebAssembly: some twenty to forty times as fast as float64, which stays the measure of what is
  * right (docs/decisions/analysis-evaluation.md).
  */
-import type { ParameterValue, ParameterValues, Rgb } from '../brdf/model.ts';
+import type { ParameterValue, ParameterValues } from '../brdf/model.ts';
 import { resolveParameters } from '../brdf/values.ts';
 import { LOCAL_FRAME } from '../glsl/evaluator.ts';
 import type { Variable } from '../glsl/ir.ts';
@@ -11,6 +11,7 @@ import { TABLE } from '../glsl/types.ts';
 import { emitWasm } from '../glsl/wasm/emit.ts';
 import { instantiateWasm } from '../glsl/wasm/instantiate.ts';
 import type { Reflectance } from './plots/curve.ts';
+import type { Vec3 } from './vector.ts';
 
 export interface QuickEvaluator {
   readonly model: Model;
@@ -22,6 +23,8 @@ export interface QuickEvaluator {
    * @throws RangeError for an unknown term
    */
   term(name: string): Reflectance;
+  /** The density of sampleL(), in 1/sr; it follows set(), too. @throws RangeError without a sampling section */
+  pdf(): (l: Vec3, v: Vec3) => number;
 }
 
 /** Bytes of a module's stack, after which the data of a measured model lie. */
@@ -54,7 +57,8 @@ function compiled(model: Model): Compiled {
   new Float32Array(memory.buffer, STACK, data.length).set(data);
   const terms = new Map<string, CompiledTerm>();
   const compile = (name: string): CompiledTerm => {
-    const ir = model.terms.includes(name) ? findFunction(model, name) : undefined;
+    const known = model.terms.includes(name) || (name === 'pdf' && model.hasSampling);
+    const ir = known ? findFunction(model, name) : undefined;
     if (!ir)
       throw new RangeError(`${model.name} has no term ${name}; its terms are ${model.terms.join(', ')}`);
     const module = emitWasm([ir], { shared: false });
@@ -80,17 +84,22 @@ export function createQuickEvaluator(
 ): QuickEvaluator {
   const { data, term: compiledTerm } = compiled(model);
   let set = resolveParameters(model.file, values);
-  const terms = new Map<string, Reflectance>();
-  const make = (name: string): Reflectance => {
+  const functions = new Map<string, (l: Vec3, v: Vec3) => unknown>();
+  const make = (name: string) => {
     const { uses, call } = compiledTerm(name);
     const fill = () => [...FRAME, ...uses.flatMap((variable) => wordsOf(variable, set, data))];
     // What follows l and v.
     let rest = fill();
     let of = set;
-    return (l, v) => {
+    return (l: Vec3, v: Vec3) => {
       if (of !== set) [rest, of] = [fill(), set];
-      return call(l[0], l[1], l[2], v[0], v[1], v[2], ...rest) as Rgb;
+      return call(l[0], l[1], l[2], v[0], v[1], v[2], ...rest);
     };
+  };
+  const named = (name: string) => {
+    const f = functions.get(name) ?? make(name);
+    functions.set(name, f);
+    return f;
   };
   return {
     model,
@@ -98,9 +107,10 @@ export function createQuickEvaluator(
       set = resolveParameters(model.file, next);
     },
     term(name) {
-      const f = terms.get(name) ?? make(name);
-      terms.set(name, f);
-      return f;
+      return named(name) as Reflectance;
+    },
+    pdf() {
+      return named('pdf') as (l: Vec3, v: Vec3) => number;
     },
   };
 }

@@ -1,4 +1,4 @@
-import { type HeatMap, heatMap, MAPPED, worstCell } from '../analysis/verdict/heat-map.ts';
+import { cellParameters, type HeatMap, heatMap, MAPPED, worstCell } from '../analysis/verdict/heat-map.ts';
 import { heatMapCsv, heatMapSvg } from '../analysis/verdict/heat-map-picture.ts';
 import type { Model } from '../glsl/model.ts';
 import { type OptionValue, UsageError } from './command.ts';
@@ -51,7 +51,7 @@ async function fileOf(map: HeatMap, kind: (typeof KINDS)[number]): Promise<Uint8
 
 function summary(map: HeatMap): string {
   const { column, row, cell } = worstCell(map);
-  const set = map.parametersAt(column, row);
+  const set = cellParameters(map, column, row);
   const digits = (x: number) => String(+x.toPrecision(4));
   const places = [map.x, map.y].map(({ name }) => `${name} ${digits(set[name] as number)}`);
   return `${map.property} of ${map.model}: worst ${digits(cell.value)} at ${places.join(', ')}, v [${cell.v.map(digits).join(', ')}]`;

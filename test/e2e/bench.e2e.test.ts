@@ -297,6 +297,30 @@ describe('the bench', () => {
     expect((await page.document()).materials.bright?.parameters).toEqual({});
   });
 
+  it('maps a law over two parameters: a cell is read and put on the material', async () => {
+    await page.select('materials', 'gloss');
+    await page.page.click('[data-view=verdict]');
+    const picture = page.page.locator('.heat-map-picture');
+    await picture.waitFor({ timeout: 60_000 });
+    const reading = page.page.locator('.heat-map-reading');
+    expect(await reading.innerText()).toMatch(/^Worst: largest albedo/);
+    await page.page.selectOption('[aria-label="Parameter to the right"]', 'roughness');
+    await page.page.selectOption('[aria-label="Parameter upwards"]', 'ior');
+    await page.page.waitForFunction(() =>
+      /roughness.*ior/.test(document.querySelector('.heat-map-reading')?.textContent ?? ''),
+    );
+    const { width, height } = (await picture.boundingBox()) ?? { width: 0, height: 0 };
+    // The right edge and the bottom: the most of the first, the least of the other.
+    const position = { x: width - 3, y: height - 3 };
+    await picture.hover({ position });
+    expect(await reading.innerText()).toMatch(/^largest albedo 0\.\d+ at roughness 1, ior 1$/);
+    const before = (await page.document()).materials.gloss?.parameters;
+    await picture.click({ position });
+    expect((await page.document()).materials.gloss?.parameters).toMatchObject({ roughness: 1, ior: 1 });
+    await page.page.keyboard.press('Control+z');
+    expect((await page.document()).materials.gloss?.parameters).toEqual(before);
+  });
+
   it('reported no error', async () => {
     expect(page.errors).toEqual([]);
     expect(await page.toasts()).toEqual([]);

@@ -5,6 +5,7 @@ import { Pace } from '../pace.ts';
 import type { Reflectance } from '../plots/curve.ts';
 import { createQuickEvaluator, type QuickEvaluator } from '../quick-evaluator.ts';
 import { createRandom } from '../random.ts';
+import type { Vec3 } from '../vector.ts';
 import { neighbour } from './space.ts';
 import type { Check, Outcome, Point, Property, VerdictOptions, WorstCase } from './types.ts';
 
@@ -58,9 +59,18 @@ export class Context {
 
   /** A term in float32: to find what is worth a look, never to state a figure. */
   quick(parameters: ParameterValues, term = 'BRDF'): Reflectance {
+    return this.quickAt(parameters).term(term);
+  }
+
+  /** The density of the model's sampler, likewise. */
+  quickPdf(parameters: ParameterValues): (l: Vec3, v: Vec3) => number {
+    return this.quickAt(parameters).pdf();
+  }
+
+  private quickAt(parameters: ParameterValues): QuickEvaluator {
     if (this.quickCurrent !== parameters) this.quickEvaluator.set(parameters);
     this.quickCurrent = parameters;
-    return this.quickEvaluator.term(term);
+    return this.quickEvaluator;
   }
 
   /** Climbs from a point to a nearby one where the objective is larger. */

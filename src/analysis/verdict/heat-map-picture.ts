@@ -1,6 +1,6 @@
 /** How a heat map is drawn: its colours, and a file with axes and a key. */
 import type { FloatParameter } from '../../brdf/model.ts';
-import { type HeatMap, type MappedProperty, worstCell } from './heat-map.ts';
+import { cellParameters, type HeatMap, type MappedProperty, worstCell } from './heat-map.ts';
 
 type Rgb8 = readonly [number, number, number];
 
@@ -42,7 +42,8 @@ function between(stops: readonly Rgb8[], share: number): Rgb8 {
   return [0, 1, 2].map((c) => Math.round(a[c]! + (b[c]! - a[c]!) * (place - i))) as unknown as Rgb8;
 }
 
-const FIGURES: Readonly<Record<MappedProperty, string>> = {
+/** What a map shows, in words. */
+export const FIGURES: Readonly<Record<MappedProperty, string>> = {
   energy: 'largest albedo',
   reciprocity: 'change when l and v swap',
 };
@@ -122,7 +123,7 @@ function ticks({ min, max }: FloatParameter): { share: number; label: string }[]
 export function heatMapCsv(map: HeatMap): string {
   const { x, y, cells, size } = map;
   const lines = cells.map(({ value }, i) => {
-    const set = map.parametersAt(i % size, Math.floor(i / size));
+    const set = cellParameters(map, i % size, Math.floor(i / size));
     return [set[x.name], set[y.name], value].join(',');
   });
   return `${[`${x.name},${y.name},${map.property}`, ...lines].join('\n')}\n`;

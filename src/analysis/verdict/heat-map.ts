@@ -40,8 +40,18 @@ export interface HeatMap {
   readonly size: number;
   /** Row by row, from the least y; in each from the least x. */
   readonly cells: readonly HeatMapCell[];
-  /** The parameters at a cell. */
-  parametersAt(column: number, row: number): ParameterValues;
+  /** What the other parameters are. */
+  readonly base: ParameterValues;
+}
+
+/** The parameters at a cell. */
+export function cellParameters(
+  { base, x, y, size }: Pick<HeatMap, 'base' | 'x' | 'y' | 'size'>,
+  column: number,
+  row: number,
+): ParameterValues {
+  const at = ({ min, max }: FloatParameter, i: number) => min + ((max - min) * i) / (size - 1);
+  return { ...base, [x.name]: at(x, column), [y.name]: at(y, row) };
 }
 
 /** Which cell has the largest value. */
@@ -66,17 +76,14 @@ export async function heatMap(model: Model, options: HeatMapOptions): Promise<He
     ? options.axes.map((name) => axisNamed(model, name))
     : await mainAxes(model, base, judge);
   if (!x || !y || x === y) throw new RangeError(`${model.name} has no two numbers to draw a map over`);
-  const parametersAt = (column: number, row: number): ParameterValues => {
-    const at = ({ min, max }: FloatParameter, i: number) => min + ((max - min) * i) / (size - 1);
-    return { ...base, [x.name]: at(x, column), [y.name]: at(y, row) };
-  };
+  const plane = { base, x, y, size };
   const cells: HeatMapCell[] = [];
   for (let i = 0; i < size * size; i++) {
     await pace.rest(() => options.onProgress?.(i / (size * size)));
-    cells.push(await judge(parametersAt(i % size, Math.floor(i / size))));
+    cells.push(await judge(cellParameters(plane, i % size, Math.floor(i / size))));
   }
   options.onProgress?.(1);
-  return { model: model.name, property, x, y, size, cells, parametersAt };
+  return { model: model.name, property, ...plane, cells };
 }
 
 function axisNamed(model: Model, name: string): FloatParameter {

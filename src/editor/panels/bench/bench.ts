@@ -4,6 +4,7 @@
  */
 import type { BufferGeometry } from 'three/webgpu';
 import type { Rgb } from '../../../analysis/plots/curve.ts';
+import type { WorstCase } from '../../../analysis/verdict/types.ts';
 import { attempt, toggleBenchPage } from '../../commands.ts';
 import { download, fileNameOf } from '../../io/files.ts';
 import { selectedMaterial } from '../../selected-material.ts';
@@ -42,14 +43,23 @@ export function createBench({ store, state }: Session, { geometryOf }: BenchOpti
   const subjects = () => subjectsOf(store.document, state.value.selection, state.value.bench.pins);
   const activeView = () => paneSettings(state.value.bench, state.value.bench.active).view;
 
-  const verdict = createVerdictPanel((worst) => {
+  const putCase = (worst: WorstCase, label?: string) => {
     const id = selectedMaterial(store.document, state.value.selection);
-    if (id !== undefined) attempt('The case cannot be shown', () => putWorstCase(store, id, worst));
-    const { bench, benchPage } = state.value;
-    // In the dock the verdict itself is in the way of what there is to see.
-    const panes = benchPage ? bench.panes : bench.panes.with(bench.active, 'lobe');
-    change({ ...worstSettings(worst), panes });
-  });
+    if (id !== undefined) attempt('The case cannot be shown', () => putWorstCase(store, id, worst, label));
+  };
+  const verdict = createVerdictPanel(
+    (worst) => {
+      putCase(worst);
+      const { bench, benchPage } = state.value;
+      // In the dock the verdict itself is in the way of what there is to see.
+      const panes = benchPage ? bench.panes : bench.panes.with(bench.active, 'lobe');
+      change({ ...worstSettings(worst), panes });
+    },
+    (cell) => {
+      putCase(cell, 'Parameters from the map');
+      change(worstSettings(cell));
+    },
+  );
   const grid = createGrid({
     wantFrame: () => wantFrame(),
     change,

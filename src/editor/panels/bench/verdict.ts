@@ -1,6 +1,7 @@
 /** The verdict on the selected material's model, computed while its tab is in sight; it follows the source. */
 import type { Check, Outcome, Property, Verdict, WorstCase } from '../../../analysis/verdict/types.ts';
 import { h } from '../../ui/dom.ts';
+import { createHeatMapPanel } from './heat-map.ts';
 import type { Subject } from './series.ts';
 import type { VerdictAnswer, VerdictJob } from './verdict-job.ts';
 
@@ -35,16 +36,22 @@ const nameOf = (property: Property): string =>
 /** Typing changes the model every few tenths of a second: it is checked when there is a pause. */
 const PAUSE = 700;
 
-export function createVerdictPanel(showCase: (worst: WorstCase) => void): VerdictPanel {
+/** @param showCell what a cell of the map does; it is worth a look beside the map, too */
+export function createVerdictPanel(
+  showCase: (worst: WorstCase) => void,
+  showCell: (worst: WorstCase) => void,
+): VerdictPanel {
   const button = h('button', { type: 'button', class: 'text-button' }, 'Check');
   const state = h('span', { class: 'verdict-state', role: 'status' });
   const progress = h('progress', { class: 'bench-progress', max: 1, 'aria-label': 'Checking', hidden: true });
   const list = h('ul', { class: 'verdict-list' });
+  const map = createHeatMapPanel(showCell);
   const element = h(
     'div',
     { class: 'verdict' },
     h('div', { class: 'verdict-head' }, button, state, progress),
     list,
+    map.element,
   );
   let asked: VerdictJob | null = null;
   let worker: Worker | null = null;
@@ -60,6 +67,7 @@ export function createVerdictPanel(showCase: (worst: WorstCase) => void): Verdic
   };
   const begin = (job: VerdictJob) => {
     stop(`Checking ${job.model}`);
+    map.show(null);
     button.textContent = 'Cancel';
     progress.hidden = false;
     progress.value = 0;
@@ -74,6 +82,8 @@ export function createVerdictPanel(showCase: (worst: WorstCase) => void): Verdic
         stop(summary(data.verdict));
         list.replaceChildren(...data.verdict.checks.map((check) => row(check, showCase)));
         list.classList.remove('old');
+        // Where both computed at once, both would be late.
+        map.show(job);
       }
     });
     worker.postMessage(job);

@@ -11,8 +11,13 @@ const theta = ([x, y, z]: Vec3) => Math.min(STEEPEST, degrees(Math.atan2(Math.hy
 const phi = ([x, y]: Vec3) => wrapped(degrees(Math.atan2(y, x)));
 
 /** Its parameters on the material: one undo step. */
-export function putWorstCase(store: DocumentStore, material: string, { parameters, term }: WorstCase): void {
-  store.edit(`Worst case of ${term}`, (draft) => {
+export function putWorstCase(
+  store: DocumentStore,
+  material: string,
+  { parameters, term }: WorstCase,
+  label = `Worst case of ${term}`,
+): void {
+  store.edit(label, (draft) => {
     const target = draft.materials[material];
     if (target) target.parameters = structuredClone(parameters) as typeof target.parameters;
   });
