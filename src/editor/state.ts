@@ -35,6 +35,8 @@ export interface EditorState {
   /** The part of the viewport's width left of the divider, which is interactive. */
   readonly divider: number;
   readonly tracingPaused: boolean;
+  /** Whether the path traced picture is shown, compared and saved denoised. */
+  readonly denoise: boolean;
 }
 
 const persistent = ['folded', 'units', 'statusOpen', 'benchOpen', 'benchHeight'] as const;
@@ -57,6 +59,7 @@ const initial: EditorState = {
   rendering: 'interactive',
   divider: 0.5,
   tracingPaused: false,
+  denoise: false,
 };
 
 export class EditorStateStore {

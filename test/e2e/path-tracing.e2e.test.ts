@@ -166,19 +166,50 @@ describe('Difference', () => {
   });
 });
 
+async function save(item: string): Promise<Buffer> {
+  await page.page.getByRole('button', { name: 'Screenshot' }).click();
+  const download = page.page.waitForEvent('download');
+  await page.page.click(`.menu button >> text="${item}"`);
+  const chunks: Buffer[] = [];
+  for await (const chunk of await (await download).createReadStream()) chunks.push(chunk as Buffer);
+  return Buffer.concat(chunks);
+}
+
+async function saveExr() {
+  return decodeExr(await save('Path traced radiance, EXR'), 'a.exr');
+}
+
 it('is saved as PNG and as EXR', async () => {
-  const save = async (item: string) => {
-    await page.page.getByRole('button', { name: 'Screenshot' }).click();
-    const download = page.page.waitForEvent('download');
-    await page.page.click(`.menu button >> text="${item}"`);
-    const chunks: Buffer[] = [];
-    for await (const chunk of await (await download).createReadStream()) chunks.push(chunk as Buffer);
-    return Buffer.concat(chunks);
-  };
   expect((await save('Path traced picture, PNG')).subarray(1, 4).toString()).toBe('PNG');
-  const { channels, attributes } = decodeExr(await save('Path traced radiance, EXR'), 'a.exr');
+  const { channels, attributes } = await saveExr();
   expect(channels.map(({ name }) => name)).toEqual(['B', 'G', 'R']);
   expect(attributes).toMatchObject({ 'irradia:samples': '0:16' });
+});
+
+it('is denoised where that is asked for, says so, and is saved with its noise in a layer', async () => {
+  const checksum = () =>
+    page.page.evaluate<number>(
+      'irradia.viewport.tracing.texture.image.data.reduce((sum, half) => (31 * sum + half) | 0, 0)',
+    );
+  await mode('Path traced').click();
+  await complete(1);
+  const noisy = await checksum();
+  await page.page.getByRole('button', { name: 'Denoise' }).click();
+  await page.page
+    .locator('.tracing-text')
+    .getByText(/complete · denoised$/)
+    .waitFor();
+  expect(await checksum()).not.toBe(noisy);
+  expect(await meanDifference()).toBeLessThan(1);
+  const { channels, attributes } = await saveExr();
+  expect(channels.map(({ name }) => name)).toEqual(['B', 'G', 'R', 'noisy.B', 'noisy.G', 'noisy.R']);
+  expect(attributes).toMatchObject({ 'irradia:samples': '0:16', 'irradia:denoised': 'yes' });
+  await page.page.getByRole('button', { name: 'Denoise' }).click();
+  await page.page
+    .locator('.tracing-text')
+    .getByText(/complete$/)
+    .waitFor();
+  expect(await checksum()).toBe(noisy);
 });
 
 it('says what is wrong with a scene, keeps the interactive view, and recovers', async () => {

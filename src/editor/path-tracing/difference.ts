@@ -46,12 +46,13 @@ export function createDifference(
   const compare = comparer();
   let busy = false;
   /** What the map shows. */
-  let shown: { samples: number; view: unknown } | null = null;
+  let shown: { samples: number; denoised: number | null; view: unknown } | null = null;
 
   const isNews = () => {
     if (tracing.state.kind !== 'picture' || state.value.rendering !== 'difference') return false;
     const { samples, reached } = tracing.state.figures;
     if (shown === null || shown.view !== store.document.view) return true;
+    if (tracing.denoised !== shown.denoised) return true;
     if (samples === shown.samples) return false;
     return samples >= WORTHWHILE * shown.samples || reached !== null || state.value.tracingPaused;
   };
@@ -65,7 +66,11 @@ export function createDifference(
     if (busy || !isNews() || tracing.state.kind !== 'picture') return;
     busy = true;
     const { texture } = tracing;
-    const next = { samples: tracing.state.figures.samples, view: store.document.view };
+    const next = {
+      samples: tracing.state.figures.samples,
+      denoised: tracing.denoised,
+      view: store.document.view,
+    };
     try {
       const pair = await readPair();
       const picture = pair && (await compare(pair));

@@ -5,9 +5,11 @@
 import type { PathTracer } from '../../pathtracer/path-tracer.ts';
 import type { PackedScene, PackOptions } from '../../pathtracer/scene/pack.ts';
 import type { Document } from '../../scene/schema.ts';
+import type { Denoise } from './denoiser.ts';
+import { Denoising } from './denoising.ts';
 import { applyChange } from './document-change.ts';
 import type { Figures, FromDirector, Goal, ToDirector } from './messages.ts';
-import { exrOf, tracedPicture } from './picture.ts';
+import { exrOf, halfFloats, tracedPicture } from './picture.ts';
 import { nextPass } from './schedule.ts';
 
 /** Between two pictures that the page is sent. */
@@ -26,10 +28,12 @@ export interface DirectorOptions {
   pack(document: Document, options: PackOptions): Promise<PackedScene>;
   /** Called once, for the first rendering. */
   open(): Promise<Stage>;
+  readonly denoise: Denoise;
   post(message: FromDirector, transfer?: Transferable[]): void;
 }
 
 type Wish = Extract<ToDirector, { kind: 'render' }>;
+type ExrRequest = Extract<ToDirector, { kind: 'exr' }>;
 
 /** A rendering that goes on. */
 interface Rendering {
@@ -52,12 +56,19 @@ export class Director {
   #rendering: Rendering | null = null;
   #goal: Goal = { samples: 1, error: 0 };
   #paused = false;
+  #denoises = false;
+  readonly #denoising: Denoising;
   #working = false;
   #packing = new AbortController();
   #pass = new AbortController();
 
   constructor(options: DirectorOptions) {
     this.#options = options;
+    this.#denoising = new Denoising({
+      denoise: options.denoise,
+      onProgress: (part) => this.#tellDenoising(part),
+      onEnd: (error) => this.#endDenoising(error),
+    });
   }
 
   receive(message: ToDirector): void {
@@ -69,24 +80,29 @@ export class Director {
       }
       this.#wish = message;
       this.#pass.abort();
+      this.#denoising.forget();
     } else if (message.kind === 'goal') this.#goal = message.goal;
     else if (message.kind === 'pause') {
       this.#paused = message.paused;
       if (message.paused) this.#pass.abort();
-    } else void this.#saveExr(message.documentName);
+    } else if (message.kind === 'denoise') {
+      this.#denoises = message.on;
+      if (!message.on) this.#denoising.stop();
+    } else void this.#saveExr(message);
     if (!this.#working) void this.#work();
   }
 
   async #work(): Promise<void> {
     this.#working = true;
-    while (this.#wish !== null || this.#goesOn()) {
+    do {
       try {
         if (this.#wish !== null) await this.#begin(this.#wish);
-        else await this.#render(this.#rendering as Rendering);
+        else if (this.#goesOn()) await this.#render(this.#rendering as Rendering);
+        await this.#denoiseWhenDue();
       } catch (error) {
         if (!(error instanceof DOMException && error.name === 'AbortError')) this.#fail(error);
       }
-    }
+    } while (this.#wish !== null || this.#goesOn());
     this.#working = false;
   }
 
@@ -179,9 +195,43 @@ export class Director {
     ]);
   }
 
+  /** Between two passes, or at rest: the film does not change here. */
+  async #denoiseWhenDue(): Promise<void> {
+    const rendering = this.#rendering;
+    if (!this.#denoises || rendering === null || this.#wish !== null) return;
+    if (!this.#denoising.isDue(rendering.samples, !this.#goesOn())) return;
+    const { tracer } = await (this.#stage as Promise<Stage>);
+    const film = await tracer.film();
+    if (this.#wish === null && this.#denoises) void this.#denoising.begin(film, rendering.samples);
+  }
+
+  #tellDenoising(part: number): void {
+    if (this.#rendering === null) return;
+    this.#options.post({ kind: 'denoising', ticket: this.#rendering.wish.ticket, part });
+  }
+
+  #endDenoising(error: unknown): void {
+    const { result } = this.#denoising;
+    if (this.#rendering === null) return;
+    const { ticket, settings } = this.#rendering.wish;
+    if (error !== null) {
+      const message = error instanceof Error ? error.message : String(error);
+      this.#options.post({ kind: 'not-denoised', ticket, message });
+    } else if (result !== null) {
+      const { width, height } = settings;
+      const picture = { width, height, pixels: halfFloats(result.radiance) };
+      this.#options.post({ kind: 'denoised', ticket, picture, samples: result.samples }, [
+        picture.pixels.buffer,
+      ]);
+    }
+    // More samples may have come meanwhile.
+    if (!this.#working) void this.#work();
+  }
+
   /** The next wish may do better; a tracer that lost its device is opened anew for it. */
   #fail(error: unknown): void {
     const ticket = this.#wish?.ticket ?? this.#rendering?.wish.ticket ?? 0;
+    this.#denoising.forget();
     this.#wish = null;
     this.#rendering = null;
     this.#stale = true;
@@ -194,22 +244,25 @@ export class Director {
     this.#options.post({ kind: 'failed', ticket, message });
   }
 
-  async #saveExr(documentName: string): Promise<void> {
+  async #saveExr({ documentName, denoised: asDenoised }: ExrRequest): Promise<void> {
     const rendering = this.#rendering;
     if (rendering === null || this.#stage === null || rendering.samples === 0) {
       this.#options.post({ kind: 'exr', file: null });
       return;
     }
     const { tracer } = await this.#stage;
-    const film = await tracer.film();
+    const denoised = asDenoised ? this.#denoising.result : null;
+    const samples = denoised?.samples ?? rendering.samples;
+    const radiance = denoised?.noisy ?? (await tracer.film()).mean();
     const { camera, settings } = rendering.wish;
-    const { seed, maxDepth, clamp, strategy } = settings;
+    const { width, height, seed, maxDepth, clamp, strategy } = settings;
     // Names as `irradia render` writes them.
     const attributes = {
       'irradia:renderer': 'pathtracer',
       'irradia:name': documentName,
       // Every pixel has the same number: a pass counts only when it is whole.
-      'irradia:samples': `0:${film.count[0] ?? 0}`,
+      'irradia:samples': `0:${samples}`,
+      ...(denoised && { 'irradia:denoised': 'yes' }),
       'irradia:camera': JSON.stringify(camera),
       'irradia:seed': String(seed),
       'irradia:maxDepth': maxDepth,
@@ -217,7 +270,7 @@ export class Director {
       'irradia:strategy': strategy,
       'irradia:device': tracer.device,
     };
-    const file = new Uint8Array(exrOf(film, attributes));
+    const file = new Uint8Array(exrOf({ width, height }, radiance, denoised?.radiance ?? null, attributes));
     this.#options.post({ kind: 'exr', file }, [file.buffer]);
   }
 }

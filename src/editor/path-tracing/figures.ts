@@ -3,13 +3,16 @@ import type { PathTracing as Settings } from '../../scene/schema.ts';
 import type { Device, Figures, Phase } from './messages.ts';
 import type { TracingState } from './path-tracing.ts';
 
+type PictureState = Extract<TracingState, { kind: 'picture' }>;
+
 const PHASES: Readonly<Record<Phase, string>> = {
   packing: 'Packing the scene',
   compiling: 'Compiling the kernel',
   tracing: 'First sample',
 };
 
-export function describe(state: TracingState, paused: boolean): string {
+/** @param denoised samples that the denoised picture was made of, null where the noisy one is shown */
+export function describe(state: TracingState, paused: boolean, denoised: number | null): string {
   if (state.kind === 'failed') return state.message;
   if (state.kind === 'idle') return 'Starts when the camera rests';
   if (state.kind === 'starting') {
@@ -19,9 +22,21 @@ export function describe(state: TracingState, paused: boolean): string {
   }
   const { figures } = state;
   const how = figures.reached !== null ? 'complete' : paused ? 'paused' : '';
-  return [samples(figures.samples), duration(figures.seconds), error(figures.error), how]
+  return [
+    samples(figures.samples),
+    duration(figures.seconds),
+    error(figures.error),
+    how,
+    denoisedText(state, denoised),
+  ]
     .filter((part) => part !== '')
     .join(' · ');
+}
+
+function denoisedText({ figures, denoising }: PictureState, denoised: number | null): string {
+  if (denoised === figures.samples) return 'denoised';
+  if (denoised !== null) return `denoised at ${denoised}`;
+  return denoising === null ? '' : `denoising ${Math.round(100 * denoising)} %`;
 }
 
 /** How fast it is, and what does it. */

@@ -23,8 +23,10 @@ export type ToDirector =
     }
   | { readonly kind: 'goal'; readonly goal: Goal }
   | { readonly kind: 'pause'; readonly paused: boolean }
-  /** Asks for the film as an EXR file. */
-  | { readonly kind: 'exr'; readonly documentName: string };
+  /** Whether to denoise what there is, at rest and each time that the samples have doubled. */
+  | { readonly kind: 'denoise'; readonly on: boolean }
+  /** Asks for the film as an EXR file; denoised as far as it is. */
+  | { readonly kind: 'exr'; readonly documentName: string; readonly denoised: boolean };
 
 export interface Device {
   /** '2 CPU threads', a GPU's name. */
@@ -67,5 +69,14 @@ export type FromDirector =
       /** Scenes packed so far: a move of the camera packs none. */
       readonly packed: number;
     }
+  | { readonly kind: 'denoising'; readonly ticket: number; readonly part: number }
+  | {
+      readonly kind: 'denoised';
+      readonly ticket: number;
+      readonly picture: TracedPicture;
+      /** Per pixel, of the film that was denoised. */
+      readonly samples: number;
+    }
+  | { readonly kind: 'not-denoised'; readonly ticket: number; readonly message: string }
   | { readonly kind: 'failed'; readonly ticket: number; readonly message: string }
   | { readonly kind: 'exr'; readonly file: Uint8Array<ArrayBuffer> | null };

@@ -5,6 +5,7 @@
 import { DataTexture, HalfFloatType, LinearFilter, RGBAFormat } from 'three/webgpu';
 import type { Camera, Document } from '../../scene/schema.ts';
 import type { Session } from '../session.ts';
+import { toastError } from '../ui/toast.ts';
 import { changeOf, sameScene } from './document-change.ts';
 import type { Device, Figures, FromDirector, Phase, ToDirector, TracedPicture } from './messages.ts';
 
@@ -22,7 +23,12 @@ export type TracingState =
   /** Nobody wants the picture, or something moves. */
   | { readonly kind: 'idle' }
   | { readonly kind: 'starting'; readonly phase: Phase; readonly part: number }
-  | { readonly kind: 'picture'; readonly figures: Figures }
+  | {
+      readonly kind: 'picture';
+      readonly figures: Figures;
+      /** How much of the denoising is done; null while none goes on. */
+      readonly denoising: number | null;
+    }
   | { readonly kind: 'failed'; readonly message: string };
 
 /** What distinguishes one picture from another. */
@@ -56,6 +62,8 @@ export class PathTracing {
   #state: TracingState = { kind: 'idle' };
   #device: Device | null = null;
   #texture: DataTexture | null = null;
+  #noisy: TracedPicture | null = null;
+  #denoised: { readonly picture: TracedPicture; readonly samples: number } | null = null;
   #packed = 0;
   #waitingForExr: ((file: Uint8Array<ArrayBuffer> | null) => void)[] = [];
 
@@ -67,8 +75,11 @@ export class PathTracing {
       this.#follow();
     });
     state.subscribe((now, before) => {
-      if (now.rendering === before.rendering && now.tracingPaused === before.tracingPaused) return;
+      const denoise = now.denoise !== before.denoise;
+      if (now.rendering === before.rendering && now.tracingPaused === before.tracingPaused && !denoise)
+        return;
       this.#sendPause();
+      if (denoise && this.#state.kind === 'picture') this.#showPicture(this.#state.figures, null);
       this.#follow();
       this.#changed();
     });
@@ -82,9 +93,15 @@ export class PathTracing {
     return this.#device;
   }
 
-  /** The mean radiance so far of what is looked at; null while there is none. */
+  /** The mean radiance so far of what is looked at, denoised if that is shown; null while there is none. */
   get texture(): DataTexture | null {
     return this.#state.kind === 'picture' ? this.#texture : null;
+  }
+
+  /** Samples of a pixel that the denoised picture was made of; null while that is not what is shown. */
+  get denoised(): number | null {
+    const isShown = this.#options.session.state.value.denoise && this.#state.kind === 'picture';
+    return isShown ? (this.#denoised?.samples ?? null) : null;
   }
 
   /** Renderings begun, and scenes packed for them. */
@@ -103,13 +120,14 @@ export class PathTracing {
     this.#follow();
   }
 
-  /** The film as an EXR file. */
+  /** The film as an EXR file; with the denoised picture if that is shown. */
   async exr(): Promise<Uint8Array<ArrayBuffer>> {
     const file =
       this.#state.kind === 'picture' &&
       (await new Promise<Uint8Array<ArrayBuffer> | null>((resolve) => {
         this.#waitingForExr.push(resolve);
-        this.#send({ kind: 'exr', documentName: this.#options.session.store.document.name });
+        const { name } = this.#options.session.store.document;
+        this.#send({ kind: 'exr', documentName: name, denoised: this.denoised !== null });
       }));
     if (!file) throw new Error('There is no path traced picture yet.');
     return file;
@@ -143,6 +161,7 @@ export class PathTracing {
     const { maxDepth, seed, clamp } = document.pathTracing;
     this.#asked = this.#waiting;
     this.#waiting = null;
+    this.#denoised = null;
     this.#ticket += 1;
     const scene = this.#sentDocument === null || !sameScene(this.#sentDocument, document);
     this.#sendGoal();
@@ -166,8 +185,10 @@ export class PathTracing {
   /** While something moves, the machine is the interactive view's alone. */
   #sendPause(): void {
     if (this.#director === null) return;
-    const paused = this.#asked === null || !this.#wanted || this.#options.session.state.value.tracingPaused;
-    this.#send({ kind: 'pause', paused });
+    const { tracingPaused, denoise } = this.#options.session.state.value;
+    const rests = this.#asked === null || !this.#wanted;
+    this.#send({ kind: 'denoise', on: denoise && !rests });
+    this.#send({ kind: 'pause', paused: rests || tracingPaused });
   }
 
   #send(message: ToDirector): void {
@@ -198,14 +219,30 @@ export class PathTracing {
       const { phase, part } = message;
       if (this.#state.kind !== 'picture') this.#setState({ kind: 'starting', phase, part });
     } else if (message.kind === 'failed') this.#setState({ kind: 'failed', message: message.message });
-    else {
+    else if (message.kind === 'not-denoised') {
+      toastError('The picture could not be denoised', new Error(message.message));
+      if (this.#state.kind === 'picture') this.#setState({ ...this.#state, denoising: null });
+    } else if (message.kind === 'denoising') {
+      if (this.#state.kind === 'picture') this.#setState({ ...this.#state, denoising: message.part });
+    } else if (message.kind === 'denoised') {
+      const { picture, samples } = message;
+      this.#denoised = { picture, samples };
+      if (this.#state.kind === 'picture') this.#showPicture(this.#state.figures, null);
+    } else {
       this.#packed = message.packed;
-      this.#show(message.picture);
-      this.#setState({ kind: 'picture', figures: message.figures });
+      this.#noisy = message.picture;
+      this.#showPicture(message.figures, this.#state.kind === 'picture' ? this.#state.denoising : null);
     }
   }
 
-  #show({ width, height, pixels }: TracedPicture): void {
+  #showPicture(figures: Figures, denoising: number | null): void {
+    const denoised = this.#options.session.state.value.denoise ? this.#denoised : null;
+    const shown = denoised?.picture ?? this.#noisy;
+    if (shown !== null && this.#texture?.image.data !== shown.pixels) this.#upload(shown);
+    this.#setState({ kind: 'picture', figures, denoising });
+  }
+
+  #upload({ width, height, pixels }: TracedPicture): void {
     const old = this.#texture?.image;
     if (old?.width !== width || old.height !== height) {
       this.#texture?.dispose();

@@ -8,27 +8,39 @@ import type { TracedPicture } from './messages.ts';
 const LARGEST_HALF = 65_504;
 const ONE = toHalf(1);
 
-export function tracedPicture({ width, height, count, radiance }: Film): TracedPicture {
-  const pixels = new Uint16Array(4 * width * height);
-  for (let pixel = 0; pixel < count.length; pixel++) {
-    const scale = 1 / Math.max(1, count[pixel]!);
-    for (let c = 0; c < 3; c++) {
-      const mean = radiance[3 * pixel + c]! * scale;
-      pixels[4 * pixel + c] = toHalf(Math.min(mean, LARGEST_HALF));
-    }
-    pixels[4 * pixel + 3] = ONE;
-  }
-  return { width, height, pixels };
+export function tracedPicture(film: Film): TracedPicture {
+  const { width, height } = film;
+  return { width, height, pixels: halfFloats(film.mean()) };
 }
 
-/** Linear radiance; the header says how many samples a pixel has. */
-export function exrOf(film: Film, attributes: Readonly<Record<string, string | number>>): Uint8Array {
-  const { width, height } = film;
-  const mean = film.mean();
-  const channels = ['R', 'G', 'B'].map((name, c) => ({
-    name,
-    type: 'float' as const,
-    pixels: Float32Array.from({ length: width * height }, (_, pixel) => mean[3 * pixel + c]!),
-  }));
+/** @param radiance RGB @returns RGBA */
+export function halfFloats(radiance: Float32Array): Uint16Array<ArrayBuffer> {
+  const pixels = new Uint16Array((4 * radiance.length) / 3).fill(ONE);
+  for (let i = 0; i < radiance.length; i++) {
+    const pixel = Math.floor(i / 3);
+    pixels[4 * pixel + (i - 3 * pixel)] = toHalf(Math.min(radiance[i]!, LARGEST_HALF));
+  }
+  return pixels;
+}
+
+/**
+ * Linear radiance; the header says how many samples a pixel has.
+ *
+ * @param noisy RGB
+ * @param denoised RGB: then the noisy radiance is in the layer 'noisy', as `render --denoise` writes it
+ */
+export function exrOf(
+  { width, height }: Pick<Film, 'width' | 'height'>,
+  noisy: Float32Array,
+  denoised: Float32Array | null,
+  attributes: Readonly<Record<string, string | number>>,
+): Uint8Array {
+  const layer = (prefix: string, radiance: Float32Array) =>
+    ['R', 'G', 'B'].map((name, c) => ({
+      name: prefix + name,
+      type: 'float' as const,
+      pixels: Float32Array.from({ length: width * height }, (_, pixel) => radiance[3 * pixel + c]!),
+    }));
+  const channels = [...layer('', denoised ?? noisy), ...(denoised ? layer('noisy.', noisy) : [])];
   return encodeExr({ width, height, channels, attributes });
 }

@@ -1,9 +1,13 @@
-/** How far the path traced picture is: samples, time, error, speed; pause and go on. */
+/** How far the path traced picture is: samples, time, error, speed; pause and go on; denoise. */
 import type { Session } from '../session.ts';
 import { h } from '../ui/dom.ts';
 import { icon, setIcon } from '../ui/icons.ts';
 import { describe, describeDevice, fractionOf } from './figures.ts';
 import type { PathTracing } from './path-tracing.ts';
+
+const DENOISE_TIP =
+  'Takes the noise out, and some of what is small or faint with it: when the samples have doubled, when the picture ' +
+  'is complete, and at a pause. What is saved and compared is denoised, too; an EXR keeps the noisy radiance in a layer.';
 
 export function createProgress({ store, state }: Session, tracing: PathTracing): HTMLElement {
   const text = h('span', { class: 'tracing-text' });
@@ -18,6 +22,8 @@ export function createProgress({ store, state }: Session, tracing: PathTracing):
   bar.append(h('div', { class: 'bar-fill' }));
   const pause = h('button', { type: 'button', class: 'icon-button' }, icon('pause'));
   pause.addEventListener('click', () => state.set({ tracingPaused: !state.value.tracingPaused }));
+  const denoise = h('button', { type: 'button', class: 'tracing-denoise', tip: DENOISE_TIP }, 'Denoise');
+  denoise.addEventListener('click', () => state.set({ denoise: !state.value.denoise }));
   const whole = h(
     'span',
     { class: 'tracing-note', hidden: true },
@@ -28,7 +34,7 @@ export function createProgress({ store, state }: Session, tracing: PathTracing):
     { class: 'tracing-progress', hidden: true },
     h('div', { class: 'tracing-line' }, text, pause),
     bar,
-    device,
+    h('div', { class: 'tracing-line' }, device, denoise),
     whole,
   );
 
@@ -38,7 +44,7 @@ export function createProgress({ store, state }: Session, tracing: PathTracing):
     if (element.hidden) return;
     const current = tracing.state;
     const { pathTracing } = store.document;
-    text.textContent = describe(current, paused);
+    text.textContent = describe(current, paused, tracing.denoised);
     text.classList.toggle('error', current.kind === 'failed');
     const fraction = fractionOf(current, pathTracing);
     bar.classList.toggle('unknown', fraction === null && !paused);
@@ -46,6 +52,7 @@ export function createProgress({ store, state }: Session, tracing: PathTracing):
     bar.setAttribute('aria-valuenow', String(Math.round(100 * (fraction ?? 0))));
     device.textContent = describeDevice(current, tracing.device);
     whole.hidden = store.document.view.term === null;
+    denoise.setAttribute('aria-pressed', String(state.value.denoise));
     pause.setAttribute('aria-label', paused ? 'Go on path tracing' : 'Pause path tracing');
     pause.dataset.tip = paused ? 'Go on (P)' : 'Pause (P)';
     pause.setAttribute('aria-pressed', String(paused));

@@ -1,4 +1,5 @@
 import { describe, expect, it } from 'vitest';
+import type { Denoise } from '../../../src/editor/path-tracing/denoiser.ts';
 import { Director } from '../../../src/editor/path-tracing/director.ts';
 import { changeOf } from '../../../src/editor/path-tracing/document-change.ts';
 import type { FromDirector, ToDirector } from '../../../src/editor/path-tracing/messages.ts';
@@ -59,7 +60,10 @@ class FakeTracer implements PathTracer {
   }
 }
 
-function setup(pack: (options: PackOptions) => Promise<PackedScene> = async () => scene) {
+function setup(
+  pack: (options: PackOptions) => Promise<PackedScene> = async () => scene,
+  denoise: Denoise = async (film) => film.mean().map((x) => 10 * x),
+) {
   const tracer = new FakeTracer();
   const messages: FromDirector[] = [];
   const director = new Director({
@@ -68,6 +72,7 @@ function setup(pack: (options: PackOptions) => Promise<PackedScene> = async () =
       return pack(options);
     },
     open: async () => ({ tracer, maxBytes: undefined }),
+    denoise,
     post: (message) => messages.push(message),
   });
   let ticket = 0;
@@ -195,13 +200,13 @@ describe('the director', () => {
 
   it('writes the film as an EXR that says how many samples it has', async () => {
     const { goal, render, send, messages } = setup();
-    send({ kind: 'exr', documentName: 'A' });
+    send({ kind: 'exr', documentName: 'A', denoised: false });
     await quiet();
     expect(messages.at(-1)).toEqual({ kind: 'exr', file: null });
     goal(4);
     render(50, true);
     await quiet();
-    send({ kind: 'exr', documentName: 'A' });
+    send({ kind: 'exr', documentName: 'A', denoised: false });
     await quiet();
     const message = messages.at(-1);
     const file = message?.kind === 'exr' ? message.file : null;
@@ -212,5 +217,52 @@ describe('the director', () => {
       ['G', 2, 2],
       ['R', 1, 1],
     ]);
+  });
+
+  it('denoises each time that the samples have doubled and at the end, and writes both layers', async () => {
+    const { goal, render, send, messages } = setup();
+    send({ kind: 'denoise', on: true });
+    goal(20);
+    render(50, true);
+    await quiet();
+    const denoised = messages.filter((message) => message.kind === 'denoised');
+    expect(denoised.map(({ samples }) => samples)).toEqual([4, 8, 16, 20]);
+    expect([...denoised.at(-1)!.picture.pixels].map(fromHalf)).toEqual([10, 20, 30, 1, 10, 20, 30, 1]);
+    send({ kind: 'exr', documentName: 'A', denoised: true });
+    await quiet();
+    const message = messages.at(-1);
+    const file = message?.kind === 'exr' ? message.file : null;
+    const { channels, attributes } = decodeExr(file as Uint8Array, 'a.exr');
+    expect(attributes).toMatchObject({ 'irradia:samples': '0:20', 'irradia:denoised': 'yes' });
+    expect(channels.map(({ name, pixels }) => [name, pixels[0]])).toEqual([
+      ['B', 30],
+      ['G', 20],
+      ['R', 10],
+      ['noisy.B', 3],
+      ['noisy.G', 2],
+      ['noisy.R', 1],
+    ]);
+  });
+
+  it('ends the denoising for another picture, and denoises what rests when that is asked for', async () => {
+    const jobs: AbortSignal[] = [];
+    const { goal, render, send, messages } = setup(undefined, (_, { signal }) => {
+      jobs.push(signal as AbortSignal);
+      return new Promise((_resolve, reject) => {
+        signal?.addEventListener('abort', () => reject(signal.reason));
+      });
+    });
+    goal(1);
+    render(50, true);
+    await quiet();
+    send({ kind: 'denoise', on: true });
+    await quiet();
+    render(60);
+    await quiet();
+    expect(jobs.map(({ aborted }) => aborted)).toEqual([true, false]);
+    send({ kind: 'denoise', on: false });
+    await quiet();
+    expect(jobs[1]?.aborted).toBe(true);
+    expect(messages.some(({ kind }) => kind === 'denoised' || kind === 'not-denoised')).toBe(false);
   });
 });

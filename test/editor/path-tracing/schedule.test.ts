@@ -34,23 +34,30 @@ describe('what is said of the picture', () => {
   const figures: Figures = { samples: 64, seconds: 75.2, error: 0.04, pathsPerSecond: 2.5e6, reached: null };
 
   it('has samples, time, error and speed; then that it is complete or paused', () => {
-    const picture = { kind: 'picture' as const, figures };
-    expect(say(picture, false)).toBe('64 samples/pixel · 1 min 15 s · error 4.0 %');
+    const picture = { kind: 'picture' as const, figures, denoising: null };
+    expect(say(picture, false, null)).toBe('64 samples/pixel · 1 min 15 s · error 4.0 %');
     const device = { name: '2 CPU threads', note: 'this browser has no WebGPU' };
     expect(describeDevice(picture, device)).toBe(
       '2.5 Mpaths/s by 2 CPU threads, as this browser has no WebGPU',
     );
     expect(describeDevice({ kind: 'idle' }, { name: 'A GPU', note: '' })).toBe('A GPU');
-    expect(say(picture, true)).toMatch(/paused$/);
-    const complete = { kind: 'picture' as const, figures: { ...figures, reached: 'error' as const } };
-    expect(say(complete, true)).toMatch(/complete$/);
-    expect(say({ kind: 'failed', message: 'the scene takes 5 bytes' }, false)).toBe(
+    expect(say(picture, true, null)).toMatch(/paused$/);
+    const complete = { ...picture, figures: { ...figures, reached: 'error' as const } };
+    expect(say(complete, true, null)).toMatch(/complete$/);
+    expect(say({ kind: 'failed', message: 'the scene takes 5 bytes' }, false, null)).toBe(
       'the scene takes 5 bytes',
     );
   });
 
+  it('says whether the picture is denoised, and of how many samples', () => {
+    const picture = { kind: 'picture' as const, figures, denoising: null };
+    expect(say({ ...picture, denoising: 0.256 }, true, null)).toMatch(/paused · denoising 26 %$/);
+    expect(say({ ...picture, denoising: 0.5 }, false, 32)).toMatch(/4.0 % · denoised at 32$/);
+    expect(say(picture, true, 64)).toMatch(/paused · denoised$/);
+  });
+
   it('is as complete as the nearer goal: the error needs four times the samples to halve', () => {
-    const picture = { kind: 'picture' as const, figures };
+    const picture = { kind: 'picture' as const, figures, denoising: null };
     expect(fractionOf(picture, { samples: 128, error: 0 })).toBe(0.5);
     expect(fractionOf(picture, { samples: 6400, error: 0.02 })).toBe(0.25);
     expect(fractionOf({ kind: 'starting', phase: 'packing', part: 0 }, { samples: 1, error: 0 })).toBeNull();
