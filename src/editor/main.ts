@@ -94,7 +94,7 @@ document
     view,
     createSourcePanel(session),
     h('div', { class: 'panel-right' }, createInspector(session)),
-    createBench(session, { geometryOf: (id) => mirror.objectFor(id)?.geometry }),
+    createBench(session, { geometryOf: (id) => mirror.objectFor(id)?.geometry, viewport: canvas }),
     status.element,
   );
 installDrop(view, (files) => void session.openFiles(files));

@@ -259,6 +259,20 @@ describe('the bench', () => {
       await plot();
       const [x = 0, y = 0] = (await light())?.position ?? [];
       expect(Math.atan2(Math.abs(x), y) * (180 / Math.PI)).toBeCloseTo(30, 6);
+      // Alt and a drag over the viewport: 50 pixels down are 15 degrees.
+      const { camera } = await page.document();
+      const box = (await page.page.locator('.viewport canvas').first().boundingBox()) ?? { x: 0, y: 0 };
+      await page.page.keyboard.down('Alt');
+      await page.page.mouse.move(box.x + 60, box.y + 100);
+      await page.page.mouse.down();
+      await page.page.mouse.move(box.x + 60, box.y + 150);
+      await page.page.mouse.up();
+      await page.page.keyboard.up('Alt');
+      await plot();
+      expect(Number(await page.page.inputValue('[data-bench=thetaL] .number input'))).toBe(45);
+      const [x2 = 0, y2 = 0] = (await light())?.position ?? [];
+      expect(Math.atan2(Math.abs(x2), y2) * (180 / Math.PI)).toBeCloseTo(45, 6);
+      expect((await page.document()).camera).toEqual(camera);
       await page.page.click('[data-bench=light] .switch');
       await page.page.keyboard.press('Control+z');
       expect(await light()).toEqual(before);

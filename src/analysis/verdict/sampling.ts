@@ -102,7 +102,6 @@ export async function checkSampler(context: Context): Promise<Check> {
     const defaults = attempt < views.length;
     const parameters = defaults ? {} : randomParameters(random, model.parameters);
     context.use(parameters);
-    const pdf = context.quickPdf(parameters);
     let wrong: keyof typeof WRONG_DIRECTIONS | null = null;
     const result = testSampler(
       {
@@ -116,8 +115,7 @@ export async function checkSampler(context: Context): Promise<Check> {
           }
           return wrong ? null : l;
         },
-        // Chance moves the counts a thousand times as far as float32 moves what they should be.
-        pdf: (l) => usable(pdf(l, v)),
+        pdf: (l) => usable(context.evaluator.pdf(l, v)),
       },
       { samples: context.trials(5000), random, cells: [6, 12], focus: [mirrorOf(v)], maxEvaluations: 400 },
     );

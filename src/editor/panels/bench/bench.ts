@@ -20,6 +20,7 @@ import { exportCsv, exportPng, exportSvg } from './export.ts';
 import type { Plot, Probe } from './frame.ts';
 import { createGrid } from './grid.ts';
 import { createLegend } from './legend.ts';
+import { installLightDrag } from './light-drag.ts';
 import { litObject, meshOf } from './object-mesh.ts';
 import { plotData } from './plot-data.ts';
 import { clampHeight, createSash } from './sash.ts';
@@ -34,9 +35,13 @@ import { putWorstCase, worstSettings } from './worst-case.ts';
 export interface BenchOptions {
   /** The geometry of an object in the scene; undefined while it is loading. */
   geometryOf(object: string): BufferGeometry | undefined;
+  /** Where the scene is drawn: the light is turned there, too. */
+  readonly viewport: HTMLElement;
 }
 
-export function createBench({ store, state }: Session, { geometryOf }: BenchOptions): HTMLElement {
+export function createBench(session: Session, { geometryOf, viewport }: BenchOptions): HTMLElement {
+  const { store, state } = session;
+  installLightDrag(viewport, session);
   const evaluators = new Evaluators();
   const background = new Background(() => wantFrame());
   const change = (patch: Partial<BenchSettings>) => state.set({ bench: { ...state.value.bench, ...patch } });

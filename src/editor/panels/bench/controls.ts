@@ -180,7 +180,10 @@ function lightControl(change: Change, placeLight: () => void): Control {
   );
   place.addEventListener('click', placeLight);
   const element = row(
-    { label, tip: 'Keep l and the first directional light of the scene in step' },
+    {
+      label,
+      tip: 'Keep l and the first directional light of the scene in step; Alt and a drag over the viewport turn both',
+    },
     h('div', { class: 'bench-light' }, field.element, place),
   );
   element.dataset.bench = 'light';

@@ -65,7 +65,7 @@ export function createHeatMapPanel(showCell: (worst: WorstCase) => void): HeatMa
   const element = h(
     'section',
     { class: 'heat-map', 'aria-label': 'Map over two parameters', hidden: true },
-    h('div', { class: 'verdict-head' }, h('span', {}, 'Map of the'), law.element, progress),
+    h('div', { class: 'verdict-head' }, 'Map: ', law.element, progress),
     plane,
     reading,
   );
