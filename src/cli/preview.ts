@@ -4,6 +4,9 @@ import type { Asset, Document } from '../scene/schema.ts';
 /** What a model is made from: GLSL, or a file of measurements. */
 export type PreviewSource = { readonly source: string } | { readonly measurements: Asset };
 
+/** Per pixel: the light of a single sphere has little noise. */
+export const PREVIEW_SAMPLES = 64;
+
 /** A scene that shows a model: a sphere before a dark ground, lit from three sides. */
 export function previewDocument(name: string, from: PreviewSource, fileName: string): Document {
   const directional = (illuminance: number, position: readonly number[]) => ({
@@ -19,6 +22,7 @@ export function previewDocument(name: string, from: PreviewSource, fileName: str
       name,
       camera: { fov: 30, position: [0, 0, 2.4], target: [0, 0, 0], near: 0.1, far: 10 },
       background: { type: 'color', color: [0.03, 0.03, 0.033] },
+      pathTracing: { samples: PREVIEW_SAMPLES },
       lights: {
         key: directional(2.6, [2, 2.5, 2.5]),
         fill: directional(0.7, [-3, 0.5, 1.5]),

@@ -38,7 +38,7 @@ test.each([
   [['render', 'lambert', '-o', 'a.jpg'], '-o a.jpg: expected a .png or an .exr'],
   [['render', 'lambert', '-o', 'a.png', '--size', '10'], '--size 10: expected WIDTHxHEIGHT'],
   [['render', 'lambert', '-o', 'a.png', '--size', '-3x10'], '--size -3x10: expected WIDTHxHEIGHT'],
-  [['render', 'lambert', '-o', 'a.exr', '--seed', '-1'], '--seed -1: expected 0 to 2147483647'],
+  [['render', 'lambert', '-o', 'a.exr', '--seed', '-1'], '--seed -1: expected 0 to 4294967295'],
   [['merge', 'a.exr'], 'merge: expected -o OUT.exr or -o OUT.png'],
   [
     ['render', 'lambert', '-o', 'a.png', '--size', '--device', 'gpu'],

@@ -3,11 +3,12 @@ import { modelSources, shippedModels } from '../../../models/index.ts';
 import { sceneNames } from '../../../scenes/index.ts';
 import { isMeasuredFile, measuredAsset } from '../../scene/measured.ts';
 import type { Document } from '../../scene/schema.ts';
+import { pathTracingDefaults } from '../../scene/stage-schema.ts';
 import { CliError, type Command } from '../command.ts';
 import { readInput } from '../files.ts';
 import { modelArgument, modelFiles } from '../model-argument.ts';
-import { previewDocument } from '../preview.ts';
-import { AOVS, DEFAULTS, parseRenderOptions, renderOptions } from '../render/options.ts';
+import { PREVIEW_SAMPLES, previewDocument } from '../preview.ts';
+import { AOVS, completed, DEFAULTS, parseRenderOptions, renderOptions } from '../render/options.ts';
 import { checkWritable } from '../render/save.ts';
 import { sceneArgument } from '../scene-argument.ts';
 
@@ -25,17 +26,21 @@ const command: Command = {
     '  --device   auto: a GPU if there is one, else the CPU (the default); gpu; software: the CPU. The realtime',
     '             renderer has a software GPU for the CPU',
     '',
-    'The path tracer ends by one of these; Ctrl+C ends it before, and what there is is written.',
-    `  --spp N        samples of each pixel; otherwise ${DEFAULTS.spp}`,
+    'The path tracer ends by one of these; Ctrl+C ends it before, and what there is is written. Without one of them',
+    "each pixel gets the document's pathTracing.samples, of which a new scene has " +
+      `${pathTracingDefaults.samples} and the picture of a model ${PREVIEW_SAMPLES}.`,
+    '  --spp N        samples of each pixel',
     '  --time S       seconds of rendering',
     "  --error E      until the standard deviation of the pixels' means is E times the picture's mean, such as 0.02,",
     '                 in every part of it: dark parts may have less, and parts that are good enough get no more',
     `                 samples. --spp N beside it is the most that a pixel gets; otherwise ${DEFAULTS.mostSamples}`,
     '  --samples A:B  samples A to B - 1 of each pixel: a part of a rendering, for `irradia merge`',
     '',
-    `  --max-depth N  the most surfaces and scatterings of a path; otherwise ${DEFAULTS.maxDepth}`,
-    '  --seed N       another one gives other noise; the same one the same picture; otherwise 0',
-    '  --clamp X      bounds the radiance of a sample of indirect light: less noise, and a darker picture',
+    "These, too, are otherwise the document's (pathTracing.maxDepth, .seed, .clamp):",
+    '  --max-depth N  the most surfaces and scatterings of a path',
+    '  --seed N       another one gives other noise; the same one the same picture',
+    '  --clamp X      bounds the radiance of a sample of indirect light: less noise, and a darker picture; 0: does not',
+    '',
     '  --denoise      takes the noise out; an .exr keeps it in the layer "noisy", which `irradia merge` reads',
     `  --aov LIST     layers of an .exr, some of ${AOVS.join(',')}: of what a pixel sees first; depth in metres;`,
     '                 variance is that of the mean',
@@ -49,9 +54,10 @@ const command: Command = {
   options: renderOptions,
   arguments: { least: 1, most: 1 },
   async run({ arguments: [word = ''], options: words }) {
-    const options = parseRenderOptions(words);
-    checkWritable(options.output, `-o ${options.output}`);
+    const request = parseRenderOptions(words);
+    checkWritable(request.output, `-o ${request.output}`);
     const document = await documentFor(word);
+    const options = completed(request, document.pathTracing);
     // three.js is loaded only now that the call is known to be right.
     return options.renderer === 'pathtracer'
       ? (await import('../render/path-traced.ts')).pathTraced(document, options)

@@ -1,6 +1,7 @@
 /** The options of `render`, checked. */
 import { totalmem } from 'node:os';
 import { extname } from 'node:path';
+import type { PathTracing } from '../../scene/schema.ts';
 import { type Call, type Command, UsageError } from '../command.ts';
 import type { DeviceChoice } from '../gpu.ts';
 import type { Until } from './passes.ts';
@@ -8,8 +9,6 @@ import { parseRange, RANGE_LIMIT, type Range } from './ranges.ts';
 
 export const DEFAULTS = {
   size: '1280x720',
-  spp: 64,
-  maxDepth: 16,
   /** Of --error: a tile that cannot become good enough must end some time. */
   mostSamples: 16_384,
   fps: 24,
@@ -60,6 +59,27 @@ export interface RenderOptions {
   readonly animation: Animation | null;
 }
 
+/** What a call says: null where the document is to say it. */
+export interface RenderRequest extends Omit<RenderOptions, Settings | 'until'> {
+  readonly until: Until | null;
+  readonly maxDepth: number | null;
+  readonly seed: number | null;
+  readonly clamp: number | null;
+}
+
+type Settings = 'maxDepth' | 'seed' | 'clamp';
+
+/** With the document's own settings where the call has none. */
+export function completed(request: RenderRequest, settings: PathTracing): RenderOptions {
+  return {
+    ...request,
+    until: request.until ?? { kind: 'samples', count: settings.samples },
+    maxDepth: request.maxDepth ?? settings.maxDepth,
+    seed: request.seed ?? settings.seed,
+    clamp: request.clamp ?? settings.clamp,
+  };
+}
+
 export interface Animation {
   readonly frames: Range;
   /** Degrees that the camera goes about its target from one frame to the next. */
@@ -68,7 +88,7 @@ export interface Animation {
 
 type Words = Readonly<Record<string, string | undefined>>;
 
-export function parseRenderOptions(options: Call['options']): RenderOptions {
+export function parseRenderOptions(options: Call['options']): RenderRequest {
   const words = options as Words;
   const { output, renderer = '', device = '' } = words;
   if (!output) throw new UsageError('render: expected -o FILE.png or -o FILE.exr');
@@ -86,9 +106,9 @@ export function parseRenderOptions(options: Call['options']): RenderOptions {
     ...parseSize(words.size ?? DEFAULTS.size),
     device,
     ...parseUntil(words),
-    maxDepth: integer(words, 'max-depth', [1, 1024]) ?? DEFAULTS.maxDepth,
-    seed: integer(words, 'seed', [0, RANGE_LIMIT - 1]) ?? 0,
-    clamp: number(words, 'clamp', 'a radiance, 0 or more', (x) => x >= 0) ?? 0,
+    maxDepth: integer(words, 'max-depth', [1, 1024]) ?? null,
+    seed: integer(words, 'seed', [0, 2 ** 32 - 1]) ?? null,
+    clamp: number(words, 'clamp', 'a radiance, 0 or more', (x) => x >= 0) ?? null,
     denoise: options.denoise === true,
     aovs: parseAovs(words.aov, format),
     animation: parseAnimation(words),
@@ -138,7 +158,7 @@ export function checkFilmSize({ width, height }: Pick<RenderOptions, 'width' | '
     );
 }
 
-function parseUntil(words: Words): Pick<RenderOptions, 'until' | 'first'> {
+function parseUntil(words: Words): Pick<RenderRequest, 'until' | 'first'> {
   const given = (['spp', 'time', 'error', 'samples'] as const).filter(
     // With --error it is the most that any pixel gets.
     (name) => words[name] !== undefined && !(name === 'spp' && words.error !== undefined),
@@ -157,7 +177,7 @@ function parseUntil(words: Words): Pick<RenderOptions, 'until' | 'first'> {
   const spp = integer(words, 'spp', [1, RANGE_LIMIT]);
   if (error !== undefined)
     return { first: 0, until: { kind: 'error', error, most: spp ?? DEFAULTS.mostSamples } };
-  return { first: 0, until: { kind: 'samples', count: spp ?? DEFAULTS.spp } };
+  return { first: 0, until: spp === undefined ? null : { kind: 'samples', count: spp } };
 }
 
 function parseAovs(text: string | undefined, format: 'png' | 'exr'): Aov[] {

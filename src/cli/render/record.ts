@@ -51,7 +51,8 @@ export function toAttributes({
   const own = { ...record, samples: formatRanges(samples), ...(denoised && { denoised: 'yes' }) };
   const entries = Object.entries(own).map(([name, value]) => [
     PREFIX + name,
-    typeof value === 'number' && !Number.isInteger(value) ? String(value) : value,
+    // A whole number of an EXR's header has 32 bits, one of them its sign.
+    typeof value === 'number' && (value | 0) !== value ? String(value) : value,
   ]);
   return { software: `Irradia ${record.version}`, ...Object.fromEntries(entries) };
 }

@@ -26,7 +26,7 @@ export function shotsOf({ camera }: Document, { output, seed, animation }: Rende
       path,
       camera: turned(camera, frame * degreesPerFrame),
       // Noise that stands still while the picture moves is seen more than noise that changes.
-      seed: (seed + frame) % 2 ** 31,
+      seed: (seed + frame) % 2 ** 32,
       title: `${path}: `,
     };
   });

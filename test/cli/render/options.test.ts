@@ -1,12 +1,12 @@
 import { expect, test } from 'vitest';
 import { UsageError } from '../../../src/cli/command.ts';
-import { checkFilmSize, parseRenderOptions } from '../../../src/cli/render/options.ts';
+import { checkFilmSize, completed, parseRenderOptions } from '../../../src/cli/render/options.ts';
 
 /** As parseCall() gives them, with the defaults that it knows. */
 const parse = (options: Record<string, string>) =>
   parseRenderOptions({ output: 'a.exr', renderer: 'pathtracer', size: '32x24', device: 'auto', ...options });
 
-test('what is left out has its default', () => {
+test('what is left out has its default, or is left to the document', () => {
   expect(parse({})).toEqual({
     output: 'a.exr',
     format: 'exr',
@@ -14,15 +14,33 @@ test('what is left out has its default', () => {
     width: 32,
     height: 24,
     device: 'auto',
-    until: { kind: 'samples', count: 64 },
+    until: null,
     first: 0,
-    maxDepth: 16,
-    seed: 0,
-    clamp: 0,
+    maxDepth: null,
+    seed: null,
+    clamp: null,
     denoise: false,
     aovs: [],
     animation: null,
   });
+});
+
+test("the document's settings are taken where the call has none", () => {
+  const settings = { samples: 12, error: 0.5, maxDepth: 3, clamp: 2.5, seed: 7 };
+  expect(completed(parse({}), settings)).toMatchObject({
+    until: { kind: 'samples', count: 12 },
+    maxDepth: 3,
+    clamp: 2.5,
+    seed: 7,
+  });
+  const given = { spp: '5', 'max-depth': '4', clamp: '0', seed: '0' };
+  expect(completed(parse(given), settings)).toMatchObject({
+    until: { kind: 'samples', count: 5 },
+    maxDepth: 4,
+    clamp: 0,
+    seed: 0,
+  });
+  expect(completed(parse({ time: '3' }), settings).until).toEqual({ kind: 'time', seconds: 3 });
 });
 
 test.each([
@@ -57,7 +75,7 @@ test.each([
   [{ time: '0' }, '--time 0: expected seconds'],
   [{ error: 'low' }, '--error low: expected a number above 0'],
   [{ error: '' }, '--error : expected a number above 0'],
-  [{ seed: '2147483648' }, '--seed 2147483648: expected 0 to 2147483647'],
+  [{ seed: '4294967296' }, '--seed 4294967296: expected 0 to 4294967295'],
   [{ 'max-depth': '0' }, '--max-depth 0: expected 1 to'],
   [{ clamp: '-1' }, '--clamp -1: expected a radiance, 0 or more'],
   [{ aov: 'albedo,uv' }, '--aov albedo,uv: expected some of albedo,normal,depth,variance'],
