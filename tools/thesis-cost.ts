@@ -3,6 +3,8 @@ import { albedoAngles, albedoAt } from '../src/analysis/plots/albedo-curve.ts';
 import { createEvaluator } from '../src/glsl/evaluator.ts';
 import type { Model } from '../src/glsl/model.ts';
 
+const TITLE = 'directional albedo, white, subsurface 1, roughness .5';
+
 const VALUES = { baseColor: [1, 1, 1], subsurface: 1, roughness: 0.5 };
 const [LEFT, TOP, WIDTH, HEIGHT] = [48, 32, 420, 240];
 /** Albedos from .5 to 100, on a logarithmic axis. */
@@ -25,7 +27,8 @@ export function thesisCost(models: readonly [Model, Model]): string {
     `<text x="${px}" y="${round(py)}" text-anchor="${anchor}" fill="${fill}">${words}</text>`;
   return [
     `<svg xmlns="http://www.w3.org/2000/svg" width="${LEFT + WIDTH + 150}" height="${TOP + HEIGHT + 48}" font-family="system-ui, sans-serif" font-size="12">`,
-    text('directional albedo, white, subsurface 1, roughness .5', LEFT, 18, 'start'),
+    `<title>${TITLE}</title>`,
+    text(TITLE, LEFT, 18, 'start'),
     ...[0.5, 1, 2, 5, 10, 20, 50, 100].flatMap((albedo) => [
       line(LEFT, y(albedo), LEFT + WIDTH, y(albedo), albedo === 1 ? '' : ' stroke-dasharray="2 3"'),
       text(String(albedo), LEFT - 8, y(albedo) + 4, 'end'),

@@ -76,6 +76,7 @@ export function heatMapSvg(map: HeatMap): string {
   const mark = `<circle cx="${round(cx)}" cy="${round(cy)}" r="${round(step / 3)}" fill="none" stroke="#fff" stroke-width="1.5"/>`;
   return [
     `<svg xmlns="http://www.w3.org/2000/svg" width="${WIDTH}" height="${HEIGHT}" viewBox="0 0 ${WIDTH} ${HEIGHT}" font-family="system-ui, sans-serif" font-size="12" fill="${INK}">`,
+    `<title>${escaped(`${model}: ${FIGURES[property]}`)}</title>`,
     `<g shape-rendering="crispEdges">${parts.join('')}</g>`,
     mark,
     ...labels,
