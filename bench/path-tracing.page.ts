@@ -97,7 +97,8 @@ async function measureTheirs(
 
   const tracer = new WebGPUPathTracer(renderer);
   // Its wavefront tracer, the default, has shaders that this version of three.js refuses.
-  tracer.useMegakernel(true);
+  // The package's types leave this method out.
+  (tracer as unknown as { useMegakernel(value: boolean): void }).useMegakernel(true);
   tracer.maxBounces = depth;
   // A round for about a sample a pixel: its default of 250,000 paths takes a software GPU a minute.
   tracer.frameBudget = side * side;

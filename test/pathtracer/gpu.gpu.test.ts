@@ -1,5 +1,6 @@
 import { readFileSync } from 'node:fs';
 import { expect, test } from 'vitest';
+import type { Film } from '../../src/pathtracer/film.ts';
 import { GpuPathTracer } from '../../src/pathtracer/gpu/gpu-path-tracer.ts';
 import { parseDocument } from '../../src/scene/document.ts';
 import { testGpu } from '../support/gpu.ts';
@@ -14,7 +15,7 @@ test('WGSL = WebAssembly', async () => {
   const packed = await packDocument(document);
   const { device } = await testGpu();
   const tracers = [testTracer(), new GpuPathTracer(device, 'test')] as const;
-  const films = [];
+  const films: Film[] = [];
   for (const tracer of tracers) {
     await tracer.load(packed);
     await render(tracer, document, { samples: 8, width: 48, height: 32, maxDepth: 4 });
