@@ -1,8 +1,11 @@
 /** The path traced picture in the page: on CPU threads, as the test's browser has no GPU. */
 import { beforeAll, describe, expect, it } from 'vitest';
+import { completed, parseRenderOptions } from '../../src/cli/render/options.ts';
+import { planned } from '../../src/cli/render/plan.ts';
+import { difference, fromAttributes } from '../../src/cli/render/record.ts';
 import { decodeExr } from '../../src/io/exr.ts';
 import { addLight, addObject } from '../../src/scene/commands.ts';
-import { createDocument, serializeDocument } from '../../src/scene/document.ts';
+import { createDocument, parseDocument, serializeDocument } from '../../src/scene/document.ts';
 import { DocumentStore } from '../../src/scene/store.ts';
 import { type LabPage, openLab } from './lab.ts';
 
@@ -184,6 +187,14 @@ it('is saved as PNG and as EXR', async () => {
   const { channels, attributes } = await saveExr();
   expect(channels.map(({ name }) => name)).toEqual(['B', 'G', 'R']);
   expect(attributes).toMatchObject({ 'irradia:samples': '0:16' });
+  // What `irradia render` would say of the document: `irradia merge` takes them for parts of one rendering.
+  const document = parseDocument(
+    JSON.parse(await page.page.evaluate('JSON.stringify(irradia.store.document)')),
+    'a.json',
+  );
+  const words = { output: 'b.exr', renderer: 'pathtracer', size: '4x4', device: 'auto', samples: '16:32' };
+  const plans = await planned(document, completed(parseRenderOptions(words), document.pathTracing));
+  expect(difference(fromAttributes(attributes ?? {}, 'a.exr'), plans[0]!.record)).toBeNull();
 });
 
 it('is denoised where that is asked for, says so, and is saved with its noise in a layer', async () => {

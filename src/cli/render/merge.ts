@@ -1,9 +1,10 @@
 /** Parts of a rendering as one: the mean of what they hold, weighted by their numbers of samples. */
 import type { ExrChannel, ExrImage } from '../../io/exr.ts';
+import { formatRanges, joined, overlap, rangesLength } from '../../pathtracer/ranges.ts';
+import { type RenderRecord, toAttributes } from '../../pathtracer/record.ts';
 import { CliError } from '../command.ts';
 import { COUNTS, NOISY } from './picture.ts';
-import { formatRanges, joined, overlap, rangesLength } from './ranges.ts';
-import { difference, fromAttributes, type RenderRecord, toAttributes } from './record.ts';
+import { difference, fromAttributes } from './record.ts';
 
 export interface Part {
   readonly fileName: string;

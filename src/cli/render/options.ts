@@ -1,11 +1,11 @@
 /** The options of `render`, checked. */
 import { totalmem } from 'node:os';
 import { extname } from 'node:path';
+import { parseRange, RANGE_LIMIT, type Range } from '../../pathtracer/ranges.ts';
 import type { PathTracing } from '../../scene/schema.ts';
 import { type Call, type Command, UsageError } from '../command.ts';
 import type { DeviceChoice } from '../gpu.ts';
 import type { Until } from './passes.ts';
-import { parseRange, RANGE_LIMIT, type Range } from './ranges.ts';
 
 export const DEFAULTS = {
   size: '1280x720',

@@ -1,5 +1,6 @@
 /** Path traced pictures: one, or the frames of an animation. */
 import { denoise } from '../../pathtracer/denoise/denoise.ts';
+import type { RenderRecord } from '../../pathtracer/record.ts';
 import type { Document } from '../../scene/schema.ts';
 import { CliError } from '../command.ts';
 import { Interruption } from './interruption.ts';
@@ -9,7 +10,6 @@ import { type PassesResult, renderPasses } from './passes.ts';
 import { filmToExr, radianceToPng } from './picture.ts';
 import { planned } from './plan.ts';
 import { ProgressBar } from './progress-bar.ts';
-import type { RenderRecord } from './record.ts';
 import { savePicture } from './save.ts';
 import type { Shot } from './shots.ts';
 import { createMachine, loadScene, type Machine } from './tracer.ts';
@@ -17,7 +17,7 @@ import { createMachine, loadScene, type Machine } from './tracer.ts';
 /** @returns the exit code */
 export async function pathTraced(document: Document, options: RenderOptions): Promise<number> {
   checkFilmSize(options);
-  const open = planned(document, options);
+  const open = await planned(document, options);
   if (open.length === 0) return 0;
 
   const interruption = new Interruption();

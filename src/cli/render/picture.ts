@@ -3,8 +3,8 @@ import { displayPixels } from '../../color/tone-mapping.ts';
 import { type ExrChannel, type ExrImage, encodeExr } from '../../io/exr.ts';
 import { encodePng } from '../../io/png.ts';
 import type { Film } from '../../pathtracer/film.ts';
+import { type RenderRecord, toAttributes } from '../../pathtracer/record.ts';
 import type { Aov } from './options.ts';
-import { type RenderRecord, toAttributes } from './record.ts';
 
 /** Names of the components of layers; 'depth.A' is the part of the samples that hit something, which merging needs. */
 const COMPONENTS: Readonly<Record<Aov, readonly string[]>> = {

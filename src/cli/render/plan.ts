@@ -1,10 +1,11 @@
 /** What a call has to render: its pictures with what their files say of them, but for frames that are there. */
+
+import { documentHash, type RenderRecord } from '../../pathtracer/record.ts';
 import type { Document } from '../../scene/schema.ts';
 import { packageVersion } from '../package-root.ts';
 import { say } from './messages.ts';
 import type { RenderOptions } from './options.ts';
 import type { Until } from './passes.ts';
-import { documentHash, type RenderRecord } from './record.ts';
 import { type Shot, shotsOf, whyRender } from './shots.ts';
 
 export interface Plan {
@@ -13,8 +14,8 @@ export interface Plan {
   readonly record: RenderRecord;
 }
 
-export function planned(document: Document, options: RenderOptions): Plan[] {
-  const hash = documentHash(document);
+export async function planned(document: Document, options: RenderOptions): Promise<Plan[]> {
+  const hash = await documentHash(document);
   const plans = shotsOf(document, options).map((shot) => ({
     shot,
     record: recordOf(document, hash, shot, options),

@@ -1,61 +1,10 @@
-/** What a rendering was made of, as files keep it: the attributes of an EXR, the texts of a PNG. */
-import { createHash } from 'node:crypto';
-import type { RenderSettings } from '../../pathtracer/scene/camera.ts';
-import { serializeDocument } from '../../scene/document.ts';
-import type { Document, View } from '../../scene/schema.ts';
+/** What files say that they were made of, read again and compared. */
+
+import { parseRanges } from '../../pathtracer/ranges.ts';
+import { PREFIX, type RenderIdentity, type RenderRecord } from '../../pathtracer/record.ts';
 import { CliError } from '../command.ts';
-import { formatRanges, parseRanges, type Range } from './ranges.ts';
-
-/** What must be the same for two renderings to be parts of one. */
-export interface RenderIdentity {
-  readonly renderer: 'pathtracer' | 'realtime';
-  /** Irradia's. */
-  readonly version: string;
-  /** SHA-256 of the document, serialized. */
-  readonly document: string;
-  /** As JSON: an animation turns the document's. */
-  readonly camera: string;
-  readonly seed: number;
-  readonly maxDepth: number;
-  readonly clamp: number;
-  readonly strategy: RenderSettings['strategy'];
-}
-
-export interface RenderRecord extends RenderIdentity {
-  /** The document's, for a person to read. */
-  readonly name: string;
-  /** Numbers of the samples that the pixels have: all of them, unless the picture has a channel of their counts. */
-  readonly samples: readonly Range[];
-  /** When it was to end: 'spp 64'. */
-  readonly until: string;
-  readonly device: string;
-  readonly exposure: number;
-  readonly toneMapping: View['toneMapping'];
-  /** Whether R, G and B are what the denoiser made of it. */
-  readonly denoised: boolean;
-}
-
-export function documentHash(document: Document): string {
-  return createHash('sha256').update(serializeDocument(document)).digest('hex');
-}
 
 type Attributes = Readonly<Record<string, string | number>>;
-
-const PREFIX = 'irradia:';
-
-export function toAttributes({
-  samples,
-  denoised,
-  ...record
-}: RenderRecord): Record<string, string | number> {
-  const own = { ...record, samples: formatRanges(samples), ...(denoised && { denoised: 'yes' }) };
-  const entries = Object.entries(own).map(([name, value]) => [
-    PREFIX + name,
-    // A whole number of an EXR's header has 32 bits, one of them its sign.
-    typeof value === 'number' && (value | 0) !== value ? String(value) : value,
-  ]);
-  return { software: `Irradia ${record.version}`, ...Object.fromEntries(entries) };
-}
 
 /** @throws CliError naming the file and the attribute that is missing or wrong */
 export function fromAttributes(attributes: Attributes, fileName: string): RenderRecord {

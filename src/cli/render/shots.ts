@@ -3,10 +3,11 @@ import { existsSync } from 'node:fs';
 import { extname } from 'node:path';
 import { decodeExr } from '../../io/exr.ts';
 import { readPngHeader } from '../../io/png-header.ts';
+import type { RenderRecord } from '../../pathtracer/record.ts';
 import type { Camera, Document } from '../../scene/schema.ts';
 import { readInput } from '../files.ts';
 import type { RenderOptions } from './options.ts';
-import { difference, fromAttributes, type RenderRecord } from './record.ts';
+import { difference, fromAttributes } from './record.ts';
 
 export interface Shot {
   readonly path: string;

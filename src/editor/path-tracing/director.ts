@@ -3,6 +3,7 @@
  * wish ends what is under way: one for another camera only the pass, one for another scene the packing, too.
  */
 import type { PathTracer } from '../../pathtracer/path-tracer.ts';
+import { toAttributes } from '../../pathtracer/record.ts';
 import type { PackedScene, PackOptions } from '../../pathtracer/scene/pack.ts';
 import type { Document } from '../../scene/schema.ts';
 import type { Denoise } from './denoiser.ts';
@@ -244,7 +245,7 @@ export class Director {
     this.#options.post({ kind: 'failed', ticket, message });
   }
 
-  async #saveExr({ documentName, denoised: asDenoised }: ExrRequest): Promise<void> {
+  async #saveExr({ origin, denoised: asDenoised }: ExrRequest): Promise<void> {
     const rendering = this.#rendering;
     if (rendering === null || this.#stage === null || rendering.samples === 0) {
       this.#options.post({ kind: 'exr', file: null });
@@ -256,20 +257,19 @@ export class Director {
     const radiance = denoised?.noisy ?? (await tracer.film()).mean();
     const { camera, settings } = rendering.wish;
     const { width, height, seed, maxDepth, clamp, strategy } = settings;
-    // Names as `irradia render` writes them.
-    const attributes = {
-      'irradia:renderer': 'pathtracer',
-      'irradia:name': documentName,
+    const attributes = toAttributes({
+      ...origin,
+      renderer: 'pathtracer',
+      camera: JSON.stringify(camera),
+      seed,
+      maxDepth,
+      clamp,
+      strategy,
       // Every pixel has the same number: a pass counts only when it is whole.
-      'irradia:samples': `0:${samples}`,
-      ...(denoised && { 'irradia:denoised': 'yes' }),
-      'irradia:camera': JSON.stringify(camera),
-      'irradia:seed': String(seed),
-      'irradia:maxDepth': maxDepth,
-      'irradia:clamp': String(clamp),
-      'irradia:strategy': strategy,
-      'irradia:device': tracer.device,
-    };
+      samples: [{ from: 0, to: samples }],
+      device: tracer.device,
+      denoised: denoised !== null,
+    });
     const file = new Uint8Array(exrOf({ width, height }, radiance, denoised?.radiance ?? null, attributes));
     this.#options.post({ kind: 'exr', file }, [file.buffer]);
   }

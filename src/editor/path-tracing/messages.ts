@@ -1,4 +1,5 @@
 /** What the page and the director of the path tracer say to each other. */
+import type { RenderRecord } from '../../pathtracer/record.ts';
 import type { RenderSettings } from '../../pathtracer/scene/camera.ts';
 import type { Camera } from '../../scene/schema.ts';
 import type { DocumentChange } from './document-change.ts';
@@ -10,6 +11,12 @@ export interface Goal {
   /** Relative; 0 asks for none. */
   readonly error: number;
 }
+
+/** What the page knows of a file's record; the rest is the director's. */
+export type Origin = Pick<
+  RenderRecord,
+  'version' | 'document' | 'name' | 'until' | 'exposure' | 'toneMapping'
+>;
 
 export type ToDirector =
   | {
@@ -26,7 +33,7 @@ export type ToDirector =
   /** Whether to denoise what there is, at rest and each time that the samples have doubled. */
   | { readonly kind: 'denoise'; readonly on: boolean }
   /** Asks for the film as an EXR file; denoised as far as it is. */
-  | { readonly kind: 'exr'; readonly documentName: string; readonly denoised: boolean };
+  | { readonly kind: 'exr'; readonly origin: Origin; readonly denoised: boolean };
 
 export interface Device {
   /** '2 CPU threads', a GPU's name. */

@@ -8,6 +8,7 @@ import type { Session } from '../session.ts';
 import { toastError } from '../ui/toast.ts';
 import { changeOf, sameScene } from './document-change.ts';
 import type { Device, Figures, FromDirector, Phase, ToDirector, TracedPicture } from './messages.ts';
+import { originOf } from './origin.ts';
 
 /** So long nothing may have moved. */
 const REST_MS = 150;
@@ -122,12 +123,15 @@ export class PathTracing {
 
   /** The film as an EXR file; with the denoised picture if that is shown. */
   async exr(): Promise<Uint8Array<ArrayBuffer>> {
+    const { document } = this.#options.session.store;
+    const ticket = this.#ticket;
+    const origin = await originOf(document);
     const file =
+      ticket === this.#ticket &&
       this.#state.kind === 'picture' &&
       (await new Promise<Uint8Array<ArrayBuffer> | null>((resolve) => {
         this.#waitingForExr.push(resolve);
-        const { name } = this.#options.session.store.document;
-        this.#send({ kind: 'exr', documentName: name, denoised: this.denoised !== null });
+        this.#send({ kind: 'exr', origin, denoised: this.denoised !== null });
       }));
     if (!file) throw new Error('There is no path traced picture yet.');
     return file;

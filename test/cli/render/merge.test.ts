@@ -1,10 +1,10 @@
 import { describe, expect, test } from 'vitest';
 import { mergeParts, partOf } from '../../../src/cli/render/merge.ts';
 import { filmToExr } from '../../../src/cli/render/picture.ts';
-import type { Range } from '../../../src/cli/render/ranges.ts';
-import type { RenderRecord } from '../../../src/cli/render/record.ts';
 import { decodeExr } from '../../../src/io/exr.ts';
 import { FILM_FLOATS, Film } from '../../../src/pathtracer/film.ts';
+import type { Range } from '../../../src/pathtracer/ranges.ts';
+import type { RenderRecord } from '../../../src/pathtracer/record.ts';
 
 const SIZE = 5;
 const AOVS = ['albedo', 'normal', 'depth', 'variance'] as const;

@@ -1,8 +1,9 @@
 import { describe, expect, it } from 'vitest';
+import { fromAttributes } from '../../../src/cli/render/record.ts';
 import type { Denoise } from '../../../src/editor/path-tracing/denoiser.ts';
 import { Director } from '../../../src/editor/path-tracing/director.ts';
 import { changeOf } from '../../../src/editor/path-tracing/document-change.ts';
-import type { FromDirector, ToDirector } from '../../../src/editor/path-tracing/messages.ts';
+import type { FromDirector, Origin, ToDirector } from '../../../src/editor/path-tracing/messages.ts';
 import { decodeExr } from '../../../src/io/exr.ts';
 import { fromHalf } from '../../../src/io/half.ts';
 import { FILM_FLOATS, Film } from '../../../src/pathtracer/film.ts';
@@ -12,6 +13,14 @@ import type { PackedScene, PackOptions } from '../../../src/pathtracer/scene/pac
 import { createDocument } from '../../../src/scene/document.ts';
 import type { Camera } from '../../../src/scene/schema.ts';
 
+const origin: Origin = {
+  version: '1.2.3',
+  document: 'a hash',
+  name: 'A',
+  until: 'samples 0:4',
+  exposure: 0.5,
+  toneMapping: 'neutral',
+};
 const settings: RenderSettings = { width: 2, height: 1, maxDepth: 4, seed: 0, strategy: 'mis', clamp: 0 };
 const document = createDocument();
 const scene = { words: new Uint32Array(), models: [], triangles: 0, lights: 0, stack: 0 } as PackedScene;
@@ -200,18 +209,29 @@ describe('the director', () => {
 
   it('writes the film as an EXR that says how many samples it has', async () => {
     const { goal, render, send, messages } = setup();
-    send({ kind: 'exr', documentName: 'A', denoised: false });
+    send({ kind: 'exr', origin, denoised: false });
     await quiet();
     expect(messages.at(-1)).toEqual({ kind: 'exr', file: null });
     goal(4);
     render(50, true);
     await quiet();
-    send({ kind: 'exr', documentName: 'A', denoised: false });
+    send({ kind: 'exr', origin, denoised: false });
     await quiet();
     const message = messages.at(-1);
     const file = message?.kind === 'exr' ? message.file : null;
     const { channels, attributes } = decodeExr(file as Uint8Array, 'a.exr');
-    expect(attributes).toMatchObject({ 'irradia:samples': '0:4', 'irradia:device': 'a fake' });
+    expect(fromAttributes(attributes ?? {}, 'a.exr')).toEqual({
+      ...origin,
+      renderer: 'pathtracer',
+      camera: JSON.stringify({ ...document.camera, fov: 50 }),
+      seed: 0,
+      maxDepth: 4,
+      clamp: 0,
+      strategy: 'mis',
+      samples: [{ from: 0, to: 4 }],
+      device: 'a fake',
+      denoised: false,
+    });
     expect(channels.map(({ name, pixels }) => [name, ...pixels])).toEqual([
       ['B', 3, 3],
       ['G', 2, 2],
@@ -228,7 +248,7 @@ describe('the director', () => {
     const denoised = messages.filter((message) => message.kind === 'denoised');
     expect(denoised.map(({ samples }) => samples)).toEqual([4, 8, 16, 20]);
     expect([...denoised.at(-1)!.picture.pixels].map(fromHalf)).toEqual([10, 20, 30, 1, 10, 20, 30, 1]);
-    send({ kind: 'exr', documentName: 'A', denoised: true });
+    send({ kind: 'exr', origin, denoised: true });
     await quiet();
     const message = messages.at(-1);
     const file = message?.kind === 'exr' ? message.file : null;
