@@ -199,7 +199,7 @@ export const viewDefaults: Readonly<View> = {
 };
 
 export const pathTracingDefaults: Readonly<PathTracing> = {
-  samples: 1024,
+  samples: 256,
   error: 0.01,
   maxDepth: 16,
   clamp: 0,
