@@ -1,4 +1,4 @@
-import { float, uniform } from 'three/tsl';
+import { float, renderGroup, uniform } from 'three/tsl';
 import { type Node, type UniformNode, Vector3 } from 'three/webgpu';
 
 /**
@@ -21,8 +21,8 @@ export function falloffAt(r: number, falloff: Falloff, range = 0): number {
  */
 export class FalloffNodes {
   /** Factors of 1, 1/r and 1/r^2. */
-  private readonly coefficients: UniformNode<'vec3', Vector3> = uniform(new Vector3());
-  private readonly inverseRange4: UniformNode<'float', number> = uniform(0);
+  private readonly coefficients: UniformNode<'vec3', Vector3> = uniform(new Vector3()).setGroup(renderGroup);
+  private readonly inverseRange4: UniformNode<'float', number> = uniform(0).setGroup(renderGroup);
 
   set(falloff: Falloff, range: number): void {
     this.coefficients.value.set(

@@ -1,4 +1,4 @@
-import { lightTargetDirection, uniform } from 'three/tsl';
+import { lightTargetDirection, renderGroup, uniform } from 'three/tsl';
 import {
   type ColorRepresentation,
   type Node,
@@ -54,9 +54,9 @@ class BrdfSpotLightNode extends SpotLightNode {
   }
 
   private readonly falloff = new FalloffNodes();
-  private readonly cosCutoff: UniformNode<'float', number> = uniform(0);
-  private readonly edgeSlope: UniformNode<'float', number> = uniform(0);
-  private readonly exponent: UniformNode<'float', number> = uniform(0);
+  private readonly cosCutoff: UniformNode<'float', number> = uniform(0).setGroup(renderGroup);
+  private readonly edgeSlope: UniformNode<'float', number> = uniform(0).setGroup(renderGroup);
+  private readonly exponent: UniformNode<'float', number> = uniform(0).setGroup(renderGroup);
 
   override update(frame: NodeFrame): undefined {
     super.update(frame);

@@ -77,6 +77,7 @@ export class BrdfMaterial extends NodeMaterial {
 
   /** The directional albedo over n.v; null until the material is first built for light from everywhere. */
   albedoTable: AlbedoTable | null = null;
+  private readonly white: Node<'vec4'>;
   private currentTerm = 'BRDF';
   private ownEvaluator: Evaluator | null = null;
   private changes = 0;
@@ -89,13 +90,15 @@ export class BrdfMaterial extends NodeMaterial {
     this.lights = true;
     this.model = model;
     // three.js multiplies this by the colours of vertices and instances.
-    this.colorNode = vec4(1);
+    this.white = vec4(1) as unknown as Node<'vec4'>;
+    this.colorNode = this.white;
     hide(
       this,
       'model',
       'values',
       'maps',
       'albedoTable',
+      'white',
       'currentTerm',
       'ownEvaluator',
       'changes',
@@ -219,8 +222,30 @@ export class BrdfMaterial extends NodeMaterial {
   }
 
   override setupObserver(builder: NodeBuilder): ReturnType<NodeMaterial['setupObserver']> {
-    // three.js looks for changes among the properties of its own materials only.
-    return alwaysRefreshed(super.setupObserver(builder));
+    const observer = super.setupObserver(builder);
+    // What three.js cannot see change, it must refresh for every object in every frame.
+    if (!this.isPlain(builder)) return alwaysRefreshed(observer);
+    const watched = observer as unknown as { hasNode: boolean; refreshUniforms: string[] };
+    watched.hasNode = false;
+    watched.refreshUniforms = [...watched.refreshUniforms, 'valuesVersion'];
+    return observer;
+  }
+
+  /** Whether all that the material shows follows from three.js' own properties and the parameters' values. */
+  private isPlain(builder: NodeBuilder): boolean {
+    if (Object.keys(this.maps).length > 0 || this.setupEnvironment(builder) !== null) return false;
+    const { context } = builder as unknown as { context: Record<string, unknown> };
+    // As three.js' own observer asks, but for the colour that the constructor set.
+    if (
+      ['modelViewMatrix', 'modelNormalViewMatrix', 'getAO', 'getShadow', 'getGI'].some(
+        (name) => context[name],
+      )
+    )
+      return false;
+    return Object.entries(this).every(
+      ([name, value]) =>
+        !(value as { isNode?: boolean } | null)?.isNode || (name === 'colorNode' && value === this.white),
+    );
   }
 
   override setupPosition(builder: NodeBuilder): ReturnType<NodeMaterial['setupPosition']> {
