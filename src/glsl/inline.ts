@@ -1,7 +1,7 @@
 import { fold } from './construct.ts';
 import type { Expr, FunctionIR, Stmt, Variable } from './ir.ts';
 import { children } from './order.ts';
-import { expressionsOf, functionOf, mapChildren, mapStatement, someNode } from './rewrite.ts';
+import { expressionsOf, functionOf, mapChildren, mapStatement, returns, someNode } from './rewrite.ts';
 
 /** Functions larger than this, in nodes, stay calls: doubling calls would double without end. */
 const MAX_NODES = 2000;
@@ -169,22 +169,6 @@ function isPlain(f: FunctionIR): boolean {
   if (f.arguments.some(({ qualifier }) => qualifier !== 'in')) return false;
   const nodes = f.body.flatMap(expressionsOf).reduce((sum, e) => sum + countNodes(e), 0);
   return nodes <= MAX_NODES && !f.body.slice(0, -1).some(returns);
-}
-
-function returns(s: Stmt): boolean {
-  switch (s.kind) {
-    case 'return':
-      return true;
-    case 'block':
-      return s.body.some(returns);
-    case 'if':
-      return returns(s.yes) || (s.no !== null && returns(s.no));
-    case 'for':
-    case 'loop':
-      return returns(s.body);
-    default:
-      return false;
-  }
 }
 
 function countNodes(e: Expr): number {

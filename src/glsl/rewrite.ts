@@ -112,3 +112,20 @@ export function functionOf(
     calls: [...calls],
   };
 }
+
+/** Whether a statement returns somewhere inside. */
+export function returns(s: Stmt): boolean {
+  switch (s.kind) {
+    case 'return':
+      return true;
+    case 'block':
+      return s.body.some(returns);
+    case 'if':
+      return returns(s.yes) || (s.no !== null && returns(s.no));
+    case 'for':
+    case 'loop':
+      return returns(s.body);
+    default:
+      return false;
+  }
+}

@@ -5,51 +5,17 @@ import { sidakLevel } from '../../src/analysis/chi-squared.ts';
 import { createRandom } from '../../src/analysis/random.ts';
 import { testSampler } from '../../src/analysis/sampler-test.ts';
 import { direction, type Vec3 } from '../../src/analysis/vector.ts';
-import type { ParameterValues } from '../../src/brdf/model.ts';
 import { createEvaluator } from '../../src/glsl/evaluator.ts';
+import { DULL } from '../pathtracer/generic-materials.ts';
 
 /**
  * The samplers of the models against their densities and against the models themselves.
  */
 
-/** Materials that between them use every lobe, at widths that the cells of a histogram can hold. */
-const MATERIALS: Readonly<Record<string, readonly ParameterValues[]>> = {
-  lambert: [{}],
-  'cook-torrance': [
-    {},
-    { kd: 0, roughness: 0.15 },
-    { metallic: 1, roughness: 0.6 },
-    { kd: 1 },
-    { albedo: [0, 0, 0], ior: 1, kd: 0.3 },
-  ],
-  principled: [
-    {},
-    { metallic: 1, roughness: 0.3 },
-    { metallic: 1, roughness: 0.5, anisotropic: 1 },
-    { metallic: 0.5, roughness: 1, anisotropic: 0.6 },
-    { baseColor: [0, 0, 0], specular: 0, clearcoat: 1, clearcoatGloss: 0 },
-    { baseColor: [0.02, 0.02, 0.02], sheen: 1, clearcoat: 1, clearcoatGloss: 0.3 },
-    { baseColor: [0, 0, 0], specular: 0, roughness: 0.4 },
-  ],
-  'principled-thesis': [
-    {},
-    { metallic: 1, roughness: 0.4, anisotropic: 0.8 },
-    { baseColor: [0, 0, 0], metallic: 1 },
-    { subsurface: 1, clearcoat: 1, clearcoatGloss: 0 },
-  ],
-  // An index below 1 is a body seen from inside.
-  dielectric: [{ roughness: 0.5 }, { roughness: 0.6, ior: 1 / 1.5 }],
-  'principled-bsdf': [
-    { specTrans: 0.6, roughness: 0.5, clearcoat: 1, clearcoatGloss: 0 },
-    { specTrans: 1, roughness: 0.6, ior: 1 / 1.4 },
-    { thin: true, specTrans: 0.3, diffTrans: 0.4, roughness: 0.6, sheen: 1 },
-  ],
-};
-
 const VIEWS: readonly Vec3[] = [direction(1, 0), direction(0.7, 0.5), direction(0.15, 4)];
 
 const cases = [...shippedModels].flatMap(([name, model]) =>
-  (MATERIALS[name] ?? [{}]).map((p) => [name, JSON.stringify(p), model, p] as const),
+  (DULL[name] ?? [{}]).map((p) => [name, JSON.stringify(p), model, p] as const),
 );
 // All together are wrong by chance once in a thousand seeds; the seed is fixed.
 const level = sidakLevel(1e-3, cases.length * VIEWS.length);

@@ -2,6 +2,8 @@ import { readFileSync } from 'node:fs';
 import { describe, expect, it } from 'vitest';
 import { shippedModels } from '../../models/index.ts';
 import { createRandom } from '../../src/analysis/random.ts';
+import type { PathTracer } from '../../src/pathtracer/path-tracer.ts';
+import type { RenderSettings } from '../../src/pathtracer/scene/camera.ts';
 import { parseDocument } from '../../src/scene/document.ts';
 import type { Document } from '../../src/scene/schema.ts';
 import { randomParameters } from '../models/hostile.ts';
@@ -56,33 +58,31 @@ function corner(): Document {
   });
 }
 
+/** The mean of a small picture and the variance of that, from several seeds. */
+async function estimate(
+  tracer: PathTracer,
+  document: Document,
+  strategy: RenderSettings['strategy'],
+  seeds: number,
+): Promise<{ mean: number; variance: number }> {
+  const means: number[] = [];
+  for (let seed = 0; seed < seeds; seed++) {
+    const settings = { samples: 16, width: 16, height: 16, maxDepth: 3, strategy, seed };
+    const film = await render(tracer, document, settings);
+    means.push(meanOf(film.mean()).reduce((a, b) => a + b, 0));
+  }
+  const mean = means.reduce((a, b) => a + b, 0) / seeds;
+  return { mean, variance: means.reduce((sum, x) => sum + (x - mean) ** 2, 0) / (seeds - 1) / seeds };
+}
+
 describe('estimators', () => {
   it('agree with lights sampled, directions sampled, and both (z-test over 32 seeds)', async () => {
     const document = corner();
     const tracer = testTracer();
     await tracer.load(await packDocument(document));
-    const estimates = new Map<string, { mean: number; variance: number }>();
-    const seeds = 32;
-    for (const strategy of ['mis', 'light', 'brdf'] as const) {
-      const means: number[] = [];
-      for (let seed = 0; seed < seeds; seed++) {
-        const film = await render(tracer, document, {
-          samples: 16,
-          width: 16,
-          height: 16,
-          maxDepth: 3,
-          strategy,
-          seed,
-        });
-        means.push(meanOf(film.mean()).reduce((a, b) => a + b, 0));
-      }
-      const mean = means.reduce((a, b) => a + b, 0) / seeds;
-      const variance = means.reduce((sum, x) => sum + (x - mean) ** 2, 0) / (seeds - 1) / seeds;
-      estimates.set(strategy, { mean, variance });
-    }
-    const mis = estimates.get('mis')!;
-    for (const other of ['light', 'brdf']) {
-      const { mean, variance } = estimates.get(other)!;
+    const mis = await estimate(tracer, document, 'mis', 32);
+    for (const other of ['light', 'brdf'] as const) {
+      const { mean, variance } = await estimate(tracer, document, other, 32);
       // 4 deviations: wrong by chance once in 16,000; the seeds are fixed.
       expect(Math.abs(mean - mis.mean) / Math.sqrt(variance + mis.variance), other).toBeLessThan(4);
       // The test would not see much if the estimates were loose.
@@ -93,34 +93,12 @@ describe('estimators', () => {
   });
 
   it('agree in fog', async () => {
-    const document = {
-      ...corner(),
-      fog: { density: 0.3, color: [0.9, 0.8, 0.7] as [number, number, number], anisotropy: 0.4 },
-    };
+    const fog = { density: 0.3, color: [0.9, 0.8, 0.7] as [number, number, number], anisotropy: 0.4 };
+    const document = { ...corner(), fog };
     const tracer = testTracer();
     await tracer.load(await packDocument(document));
-    const means: { mean: number; variance: number }[] = [];
-    for (const strategy of ['mis', 'brdf'] as const) {
-      const seeds = 16;
-      const values: number[] = [];
-      for (let seed = 0; seed < seeds; seed++) {
-        const film = await render(tracer, document, {
-          samples: 16,
-          width: 16,
-          height: 16,
-          maxDepth: 3,
-          strategy,
-          seed,
-        });
-        values.push(meanOf(film.mean()).reduce((a, b) => a + b, 0));
-      }
-      const mean = values.reduce((a, b) => a + b, 0) / seeds;
-      means.push({
-        mean,
-        variance: values.reduce((sum, x) => sum + (x - mean) ** 2, 0) / (seeds - 1) / seeds,
-      });
-    }
-    const [mis, brdf] = means as [(typeof means)[0], (typeof means)[0]];
+    const mis = await estimate(tracer, document, 'mis', 16);
+    const brdf = await estimate(tracer, document, 'brdf', 16);
     expect(Math.abs(mis.mean - brdf.mean) / Math.sqrt(mis.variance + brdf.variance)).toBeLessThan(4);
   });
 });

@@ -27,6 +27,7 @@ export const DULL: Materials = {
     { baseColor: [0, 0, 0], metallic: 1 },
     { subsurface: 1, clearcoat: 1, clearcoatGloss: 0 },
   ],
+  // An index below 1 is a body seen from inside.
   dielectric: [{ roughness: 0.5 }, { roughness: 0.6, ior: 1 / 1.5 }],
   'principled-bsdf': [
     {},

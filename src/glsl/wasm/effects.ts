@@ -1,4 +1,4 @@
-import type { Expr, FunctionIR, Stmt, Variable } from '../ir.ts';
+import type { Expr, FunctionIR, Variable } from '../ir.ts';
 import { children } from '../order.ts';
 import { expressionsOf } from '../rewrite.ts';
 import { cellsOf } from './layout.ts';
@@ -88,21 +88,4 @@ export function weightOf(f: FunctionIR): number {
     weights.set(f, weight);
   }
   return weight;
-}
-
-/** Whether a statement returns somewhere inside. */
-export function returns(s: Stmt): boolean {
-  switch (s.kind) {
-    case 'return':
-      return true;
-    case 'block':
-      return s.body.some(returns);
-    case 'if':
-      return returns(s.yes) || (s.no !== null && returns(s.no));
-    case 'for':
-    case 'loop':
-      return returns(s.body);
-    default:
-      return false;
-  }
 }

@@ -1,7 +1,8 @@
 import type { Expr, FunctionIR, Stmt, Variable } from '../ir.ts';
+import { returns } from '../rewrite.ts';
 import { Body, type Label } from './body.ts';
 import { type Code, localGet, op } from './code.ts';
-import { addressedVariables, hasEffects, isLarge, returns } from './effects.ts';
+import { addressedVariables, hasEffects, isLarge } from './effects.ts';
 import { cellsOf, sizeOf, zeroCells } from './layout.ts';
 import { CALL, type WasmType } from './opcodes.ts';
 import {

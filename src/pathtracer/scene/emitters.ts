@@ -1,3 +1,4 @@
+import { luminance } from '../../color/rec709.ts';
 import type { Placement } from './instances.ts';
 import {
   BLOCK_NUMBERS,
@@ -13,7 +14,7 @@ import type { TreeLight } from './light-tree.ts';
 import type { Emission } from './materials.ts';
 import { blocksAt, type PackedMesh, verticesAt } from './mesh.ts';
 import type { Pace } from './pace.ts';
-import { luminance, luminanceSampler } from './textures.ts';
+import { luminanceSampler } from './textures.ts';
 import { uvWord } from './vertices.ts';
 import type { Words } from './words.ts';
 
@@ -43,7 +44,7 @@ export async function writeTriangleLights(
   const floats = new Float32Array(mesh.words.buffer);
   const m = toWorld.elements;
   const meanOf = emission.map === null ? null : meanSampler(mesh, floats, emission.map);
-  const nits = luminance(...emission.radiance);
+  const nits = luminance(emission.radiance);
   await pace.each(0, mesh.triangles, (from, to) => {
     for (let triangle = from; triangle < to; triangle += 1)
       words.setUints(firstSlot + triangle * LIGHT_SLOTS, LIGHT_TYPES.triangle, instance, triangle, NO_TRAIL);

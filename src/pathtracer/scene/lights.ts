@@ -1,9 +1,9 @@
 import { MathUtils, Matrix4, Vector3 } from 'three/webgpu';
+import { luminance } from '../../color/rec709.ts';
 import { temperatureColor } from '../../lights/units.ts';
 import type { Light, LightOf } from '../../scene/schema.ts';
 import { FALLOFFS, LIGHT_SLOTS, LIGHT_TYPES, NO_TRAIL } from './layout.ts';
 import type { LightBounds } from './light-bounds.ts';
-import { luminance } from './textures.ts';
 import type { Words } from './words.ts';
 
 type Rgb = [number, number, number];
@@ -36,7 +36,7 @@ const STEP_SLOPE = 1e30;
 
 /** Null if the light is dark, or has no direction; the light from everywhere is in the sky. */
 export function lightRecord(light: Light): LightRecord | null {
-  if (!light.visible || luminance(...colorOf(light)) === 0) return null;
+  if (!light.visible || luminance(colorOf(light)) === 0) return null;
   switch (light.type) {
     case 'ambient':
     case 'hemisphere':
@@ -75,7 +75,7 @@ function point(light: LightOf<'point'>): LightRecord {
     bounds: {
       ...ALL_DIRECTIONS,
       box: [...light.position, ...light.position],
-      power: Math.PI * luminance(...intensity),
+      power: Math.PI * luminance(intensity),
       twoSided: false,
     },
   };
@@ -101,7 +101,7 @@ function spot(light: LightOf<'spot'>): LightRecord | null {
       axis,
       cosNormals: 1,
       cosEmission: outer,
-      power: Math.PI * luminance(...intensity),
+      power: Math.PI * luminance(intensity),
       twoSided: false,
     },
   };
@@ -137,7 +137,7 @@ function rectangle(light: LightOf<'rectangle'>): LightRecord {
       axis: normal,
       cosNormals: 1,
       cosEmission: 0,
-      power: Math.PI * luminance(...radiance) * width * height,
+      power: Math.PI * luminance(radiance) * width * height,
       twoSided: false,
     },
   };

@@ -1,5 +1,6 @@
 import type { ParameterValue } from '../../brdf/model.ts';
 import { resolveParameters } from '../../brdf/values.ts';
+import { luminance } from '../../color/rec709.ts';
 import type { Model } from '../../glsl/model.ts';
 import type { Material, ScaledTextureRef } from '../../scene/schema.ts';
 import type { TabulatedMaterial } from './generic-table.ts';
@@ -12,7 +13,7 @@ import {
   MATERIAL_SLOTS,
 } from './layout.ts';
 import type { Texels } from './texels.ts';
-import { luminance, type Rgba, type Texture, type TextureTable, texelSampler } from './textures.ts';
+import { type Rgba, type Texture, type TextureTable, texelSampler } from './textures.ts';
 import type { Words } from './words.ts';
 
 type Rgb = [number, number, number];
@@ -37,7 +38,7 @@ export interface Emission {
 /** Null if the material does not shine. */
 export function emissionOf({ material, model }: UsedMaterial, textures: TextureTable): Emission | null {
   const radiance = radianceOf(material);
-  if (luminance(...radiance) === 0) return null;
+  if (luminance(radiance) === 0) return null;
   return { radiance, map: textures.find(material.emissiveMap), doubleSided: showsBacks(material, model) };
 }
 
@@ -89,7 +90,7 @@ function writeMaterial(
     (model.file.transmission ? MATERIAL_FLAGS.transmits : 0) |
     (masked ? MATERIAL_FLAGS.mask : 0) |
     (alphaMode === 'blend' ? MATERIAL_FLAGS.blend : 0) |
-    (luminance(...radiance) > 0 ? MATERIAL_FLAGS.emits : 0);
+    (luminance(radiance) > 0 ? MATERIAL_FLAGS.emits : 0);
   const parameters = writeParameters(words, material, model, textures, wordOf);
   words.setUints(slot + MATERIAL.model, modelIndex, flags, parameters, model.parameters.length);
   words.setFloats(

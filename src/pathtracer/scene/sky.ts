@@ -1,11 +1,11 @@
 import { type DataTexture, DataUtils, HalfFloatType, MathUtils } from 'three/webgpu';
+import { luminance } from '../../color/rec709.ts';
 import type { AssetLoader } from '../../scene/assets.ts';
 import type { Asset, Document, EnvironmentSource } from '../../scene/schema.ts';
 import { PathTracerError } from './error.ts';
 import { SKY_SLOTS } from './layout.ts';
 import { colorOf } from './lights.ts';
 import type { Pace } from './pace.ts';
-import { luminance } from './textures.ts';
 import type { Words } from './words.ts';
 
 type Rgb = [number, number, number];
@@ -126,7 +126,7 @@ export async function skyDistribution(
   const cells = new Float64Array(width);
   const mean = lit === null ? null : meanLuminance(lit, width, height);
   for (let y = 0; y < height; y += 1) {
-    const uniform = luminance(...(2 * y < height ? lower : upper));
+    const uniform = luminance(2 * y < height ? lower : upper);
     for (let x = 0; x < width; x += 1) cells[x] = uniform + (mean === null ? 0 : intensity * mean(x, y));
     // The mean of the cosine over the row's latitudes.
     const [south, north] = [y, y + 1].map((edge) => Math.sin(Math.PI * (edge / height - 0.5))) as [
@@ -167,7 +167,7 @@ function meanLuminance(
 ): (x: number, y: number) => number {
   const gray = new Float32Array(width * height);
   for (let i = 0; i < gray.length; i += 1)
-    gray[i] = luminance(texels[4 * i]!, texels[4 * i + 1]!, texels[4 * i + 2]!);
+    gray[i] = luminance([texels[4 * i]!, texels[4 * i + 1]!, texels[4 * i + 2]!]);
   // Two points a texel, a quarter in from its edges, give a linear function's mean between texels.
   const across = 2 * Math.ceil(width / columns);
   const down = 2 * Math.ceil(height / rows);

@@ -1,4 +1,5 @@
 import { MathUtils, Matrix3 } from 'three/webgpu';
+import { luminance } from '../../color/rec709.ts';
 import type { AssetLoader } from '../../scene/assets.ts';
 import { materialMaps } from '../../scene/material-schema.ts';
 import type { Asset, Document, Material, TextureRef } from '../../scene/schema.ts';
@@ -128,7 +129,7 @@ export function luminanceSampler(texture: Texture): (u: number, v: number) => nu
   const texel = texelSampler(texture);
   return (u, v) => {
     const [r, g, b] = texel(u, v);
-    return luminance(r, g, b);
+    return luminance([r, g, b]);
   };
 }
 
@@ -136,9 +137,4 @@ function wrap(x: number, mode: TextureRef['wrap']): number {
   if (mode === 'clamp') return Math.min(Math.max(x, 0), 1);
   if (mode === 'repeat') return x - Math.floor(x);
   return 1 - Math.abs(1 - (x - 2 * Math.floor(x / 2)));
-}
-
-/** Of linear Rec. 709. */
-export function luminance(r: number, g: number, b: number): number {
-  return 0.2126 * r + 0.7152 * g + 0.0722 * b;
 }
