@@ -37,12 +37,13 @@ export async function openFrames(document: Document, options: FrameOptions): Pro
   const settings = format === 'exr' ? ({ samples: 1, precision: 'float' } as const) : {};
   const renderer = new RealtimeRenderer(node.renderer, settings);
   const view = { ...document.view, resolutionScale: scale };
-  await renderer.compile(mirror, view, options);
+  const shown = { ...document, view };
+  await renderer.compile(mirror, shown, options);
   return {
     device: node.gpu.adapter.info.description,
     async draw(camera, attributes) {
       mirror.apply({ ...document, camera });
-      renderer.render(mirror, view, options);
+      renderer.render(mirror, { ...shown, camera }, options);
       if (format === 'png') return encodePng(await renderer.readImage(view), width, height, attributes);
       return encodeExr({ ...exrImage(await renderer.readRadiance()), attributes });
     },

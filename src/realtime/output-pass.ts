@@ -33,15 +33,20 @@ export class OutputPass {
   readonly #exposure = uniform(1);
   readonly #from = uniform(0);
   readonly #quads = new Map<string, QuadMesh>();
+  readonly #radiance: TextureNode<'vec4'>;
   #companion: TextureNode<'vec4'> | null = null;
 
-  constructor(readonly radiance: Texture) {}
+  constructor(radiance: Texture) {
+    this.#radiance = texture(radiance);
+  }
 
   render(
     renderer: WebGPURenderer,
+    radiance: Texture,
     { exposure, toneMapping }: Pick<View, 'exposure' | 'toneMapping'>,
     companion: Companion | null = null,
   ): void {
+    this.#radiance.value = radiance;
     this.#exposure.value = 2 ** exposure;
     if (companion !== null) {
       this.#companion ??= texture(companion.radiance);
@@ -62,7 +67,7 @@ export class OutputPass {
     if (!quad) {
       const material = new NodeMaterial();
       material.name = `output ${key}`;
-      const own = texture(this.radiance).rgb;
+      const own = this.#radiance.rgb;
       const shown = companion === null ? own : select(uv().x.lessThan(this.#from), own, companion.rgb);
       const exposed = shown.mul(this.#exposure);
       material.fragmentNode = renderOutput(vec4(exposed, 1), TONE_MAPPINGS[toneMapping], SRGBColorSpace);

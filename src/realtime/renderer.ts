@@ -1,7 +1,8 @@
 /**
  * The interactive renderer: one frame of a scene to a canvas, in the page and in Node alike. A frame is
- * drawn twice: the scene as linear radiance, at the view's resolution scale, into a buffer of floats; then
- * that buffer, exposed and tone mapped, to the canvas. The buffer can be read back.
+ * drawn in steps: the surfaces (depth, normals, motion) if an effect reads them; the scene as linear radiance, at the
+ * view's resolution scale, into a buffer of floats; the effects on it; then that buffer, exposed and tone mapped, to
+ * the canvas. The buffer can be read back. Each effect is a file in effects/.
  */
 import {
   FloatType,
@@ -15,7 +16,10 @@ import {
   WebGPURenderer,
 } from 'three/webgpu';
 import { fromHalf } from '../io/half.ts';
-import type { View } from '../scene/schema.ts';
+import type { FrameSettings, ViewSettings } from './frame/effect.ts';
+import { EffectChain } from './frame/effect-chain.ts';
+import { FrameInputs } from './frame/inputs.ts';
+import { CopyPass } from './frame/pass.ts';
 import { type Companion, OutputPass } from './output-pass.ts';
 
 export interface RendererOptions {
@@ -49,7 +53,7 @@ export interface Radiance extends Size {
   pixels: Float32Array;
 }
 
-export type ViewSettings = Pick<View, 'exposure' | 'toneMapping' | 'resolutionScale'>;
+export type { FrameSettings, ViewSettings } from './frame/effect.ts';
 
 export async function createRenderer(options: RendererOptions = {}): Promise<RealtimeRenderer> {
   const { canvas, device, forceWebGL = false, onError } = options;
@@ -66,6 +70,13 @@ export async function createRenderer(options: RendererOptions = {}): Promise<Rea
 export class RealtimeRenderer {
   readonly #radiance: RenderTarget;
   readonly #output: OutputPass;
+  readonly #inputs = new FrameInputs();
+  readonly #effects = new EffectChain(this.#inputs);
+  /** The radiance of the last frame, effects and all. */
+  #result: RenderTarget;
+  /** What the output pass shows, for effects that work on that. */
+  readonly #picture = new RenderTarget(1, 1, { type: UnsignedByteType, depthBuffer: false });
+  readonly #copy = new CopyPass();
   /** Shown instead of a part of the frame; readRadiance() does not see it. */
   companion: Companion | null = null;
 
@@ -82,6 +93,7 @@ export class RealtimeRenderer {
     three.info.autoReset = false;
     const type = precision === 'float' ? FloatType : HalfFloatType;
     this.#radiance = new RenderTarget(1, 1, { type, samples: samples === 1 ? 0 : samples });
+    this.#result = this.#radiance;
     this.#output = new OutputPass(this.#radiance.texture);
   }
 
@@ -93,33 +105,46 @@ export class RealtimeRenderer {
     return 'isWebGPUBackend' in this.three.backend ? 'webgpu' : 'webgl';
   }
 
+  /** Further frames of a scene that stands still would be better ones. */
+  get unsettled(): boolean {
+    return this.#effects.unsettled;
+  }
+
   /** Compiles what the scene needs without drawing it, so that the page stays alive meanwhile. */
-  async compile({ scene, camera }: Renderable, view: ViewSettings, size: Size): Promise<void> {
-    this.#fit(camera, view, size);
+  async compile({ scene, camera }: Renderable, settings: FrameSettings, size: Size): Promise<void> {
+    this.#fit(camera, settings.view, size);
+    this.#effects.follow(this.three, settings);
     this.three.setRenderTarget(this.#radiance);
     const compiled = this.three.compileAsync(scene, camera);
     this.three.setRenderTarget(null);
     await compiled;
   }
 
-  render({ scene, camera }: Renderable, view: ViewSettings, size: Size): void {
-    this.#fit(camera, view, size);
-    this.three.info.reset();
-    this.three.setRenderTarget(this.#radiance);
-    this.three.render(scene, camera);
-    this.three.setRenderTarget(null);
-    this.#output.render(this.three, view, this.companion);
+  render({ scene, camera }: Renderable, settings: FrameSettings, size: Size): void {
+    const { three } = this;
+    const { width, height } = this.#fit(camera, settings.view, size);
+    three.info.reset();
+    camera.updateMatrixWorld();
+    this.#inputs.begin(camera, width, height);
+    this.#effects.follow(three, settings);
+    if (this.#effects.needsSurfaces) this.#inputs.surfaces.render(three, scene, camera, width, height);
+    this.#effects.beforeScene(three);
+    three.setRenderTarget(this.#radiance);
+    three.render(scene, camera);
+    three.setRenderTarget(null);
+    this.#result = this.#effects.afterScene(three, this.#radiance);
+    this.renderAgain(settings.view);
   }
 
   /** The last frame again, with another exposure, tone mapping or companion. */
   renderAgain(view: ViewSettings): void {
-    this.#output.render(this.three, view, this.companion);
+    this.#show(view, this.companion, null);
   }
 
   /** The last frame as linear radiance, as large as it was rendered: the size times the resolution scale. */
   async readRadiance(): Promise<Radiance> {
-    const { width, height } = this.#radiance;
-    const data = await this.#read(this.#radiance);
+    const { width, height } = this.#result;
+    const data = await this.#read(this.#result);
     const pixels = data instanceof Uint16Array ? Float32Array.from(data, fromHalf) : (data as Float32Array);
     return { width, height, pixels };
   }
@@ -128,29 +153,52 @@ export class RealtimeRenderer {
   async readImage(view: ViewSettings, companion = this.companion): Promise<Uint8Array> {
     const { width, height } = this.three.domElement;
     const target = new RenderTarget(width, height, { type: UnsignedByteType, depthBuffer: false });
-    this.three.setRenderTarget(target);
-    this.#output.render(this.three, view, companion);
-    this.three.setRenderTarget(null);
+    this.#show(view, companion, target);
     const pixels = (await this.#read(target)) as Uint8Array;
     target.dispose();
     return pixels;
   }
 
   dispose(): void {
+    this.#effects.dispose();
+    this.#inputs.dispose();
     this.#output.dispose();
+    this.#picture.dispose();
+    this.#copy.dispose();
     this.#radiance.dispose();
     this.three.dispose();
   }
 
-  #fit(camera: PerspectiveCamera, { resolutionScale }: ViewSettings, { width, height }: Size): void {
+  /** From the last frame's radiance to what a screen shows, in a target or, for null, on the canvas. */
+  #show(view: ViewSettings, companion: Companion | null, target: RenderTarget | null): void {
+    const { three } = this;
+    const { width, height } = three.domElement;
+    const draw = (into: RenderTarget | null) => {
+      three.setRenderTarget(into);
+      this.#output.render(three, this.#result.texture, view, companion);
+      three.setRenderTarget(null);
+    };
+    if (!this.#effects.worksOnOutput) {
+      draw(target);
+      return;
+    }
+    this.#picture.setSize(width, height);
+    draw(this.#picture);
+    this.#copy.render(three, this.#effects.afterOutput(three, this.#picture), target);
+  }
+
+  /** @returns the size of the radiance buffer */
+  #fit(camera: PerspectiveCamera, { resolutionScale }: ViewSettings, { width, height }: Size): Size {
     const { domElement } = this.three;
     if (domElement.width !== width || domElement.height !== height) this.three.setSize(width, height, false);
     const scaled = (length: number) => Math.max(1, Math.round(length * resolutionScale));
-    this.#radiance.setSize(scaled(width), scaled(height));
+    const radiance = { width: scaled(width), height: scaled(height) };
+    this.#radiance.setSize(radiance.width, radiance.height);
     if (camera.aspect !== width / height) {
       camera.aspect = width / height;
       camera.updateProjectionMatrix();
     }
+    return radiance;
   }
 
   /** Rows from the top on both back ends: WebGL's start at the bottom. */

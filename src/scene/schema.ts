@@ -10,6 +10,7 @@
  * What no schema can say (references to other parts, parameters of a model) is in validate.ts.
  */
 import { z } from 'zod';
+import { effectsDefaults, effectsFileSchema, effectsSchema } from './effects-schema.ts';
 import { boolean, group, id, reference, vector3, withDefaults } from './fields.ts';
 import { geometryDefaults, geometryFileSchema, geometrySchema } from './geometry-schema.ts';
 import { lightFileSchema, lightSchema, nameField } from './light-schema.ts';
@@ -157,6 +158,7 @@ export const documentShape = {
   models: collection('models', modelName, modelSourceSchema),
   assets: collection('assets', id, assetSchema),
   view: viewSchema,
+  effects: effectsSchema,
   pathTracing: pathTracingSchema,
 };
 
@@ -178,6 +180,7 @@ export const singles: readonly Single[] = [
   'environment',
   'background',
   'view',
+  'effects',
   'pathTracing',
 ];
 
@@ -199,6 +202,7 @@ export const documentFileSchema = withDefaults(
     objects: collection('objects', id, objectFileSchema),
     materials: collection('materials', id, materialFileSchema),
     view: viewFileSchema,
+    effects: effectsFileSchema,
     pathTracing: pathTracingFileSchema,
   },
   {
@@ -214,10 +218,12 @@ export const documentFileSchema = withDefaults(
     models: {},
     assets: {},
     view: viewDefaults,
+    effects: effectsDefaults,
     pathTracing: pathTracingDefaults,
   },
 );
 
+export type { EffectName, Effects } from './effects-schema.ts';
 export type { AddableGeometry, Geometry, GeometryOf, GeometryType } from './geometry-schema.ts';
 export type { Light, LightOf, LightType } from './light-schema.ts';
 export type { Material, MaterialMap, ScaledTextureRef, TextureRef } from './material-schema.ts';

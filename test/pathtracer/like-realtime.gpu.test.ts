@@ -31,7 +31,7 @@ async function compare(document: Document): Promise<{ far: number; error: number
   // Supersampled: the path tracer's pixels are means over their area, too.
   const scale = 4;
   const view = { ...document.view, resolutionScale: scale };
-  realtime.render(mirror, view, { width: WIDTH, height: HEIGHT });
+  realtime.render(mirror, { view }, { width: WIDTH, height: HEIGHT });
   const { width, pixels } = await realtime.readRadiance();
   const film = await trace(document, { samples: 256, width: WIDTH, height: HEIGHT, maxDepth: 1 });
   const traced = film.mean();

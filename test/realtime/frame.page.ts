@@ -29,8 +29,8 @@ export interface Frame {
 export default async function frame({ forceWebGL, view }: FrameRequest): Promise<Frame> {
   const renderer = await createRenderer({ forceWebGL });
   const content = halves();
-  await renderer.compile(content, view, SIZE);
-  renderer.render(content, view, SIZE);
+  await renderer.compile(content, { view }, SIZE);
+  renderer.render(content, { view }, SIZE);
   const { pixels, ...size } = await renderer.readRadiance();
   const image = await renderer.readImage(view);
   return { backend: renderer.backend, radiance: { ...size, pixels: [...pixels] }, image: [...image] };

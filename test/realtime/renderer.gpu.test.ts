@@ -18,15 +18,15 @@ describe('the interactive renderer', () => {
   const content = halves();
 
   test('shows on the canvas what it reads back', async () => {
-    renderer.render(content, view(), SIZE);
+    renderer.render(content, { view: view() }, SIZE);
     expect(await readCanvas()).toEqual(await renderer.readImage(view()));
   });
 
   test('exposure changes the picture, not the radiance', async () => {
-    renderer.render(content, view(), SIZE);
+    renderer.render(content, { view: view() }, SIZE);
     const before = await renderer.readRadiance();
     const dark = await renderer.readImage(view());
-    renderer.render(content, view({ exposure: 1 }), SIZE);
+    renderer.render(content, { view: view({ exposure: 1 }) }, SIZE);
     expect(await renderer.readRadiance()).toEqual(before);
     const bright = await renderer.readImage(view({ exposure: 1 }));
     const blue = (image: Uint8Array) => image[image.length - 2];
@@ -37,7 +37,7 @@ describe('the interactive renderer', () => {
   test.each(['aces', 'agx', 'neutral'] as const)(
     '%s keeps bright radiance below white',
     async (toneMapping) => {
-      renderer.render(content, view({ toneMapping }), SIZE);
+      renderer.render(content, { view: view({ toneMapping }) }, SIZE);
       const image = await renderer.readImage(view({ toneMapping }));
       const clipped = await renderer.readImage(view());
       expect(image).not.toEqual(clipped);

@@ -185,7 +185,8 @@ export class Viewport {
 
   #submit(): void {
     const { mirror, renderer, session, onFigures } = this.#options;
-    const { camera, view } = session.store.document;
+    const { document } = session.store;
+    const { camera, view } = document;
     const { rendering, divider, continuous } = session.state.value;
     const { size, radiance } = this.#sizes();
     this.tracing.look({ camera: { ...camera, ...this.#camera.pose() }, ...radiance });
@@ -199,7 +200,7 @@ export class Viewport {
       renderer.renderAgain(view);
       return;
     }
-    renderer.render(mirror, view, size);
+    renderer.render(mirror, document, size);
     this.#stale = false;
     onFigures({
       ...radiance,
@@ -212,9 +213,10 @@ export class Viewport {
   /** Both renderings as the screen would show them; null while there is no path traced one. */
   async #readPair(): Promise<ImagePair | null> {
     const { renderer, session, mirror } = this.#options;
-    const { view } = session.store.document;
+    const { document } = session.store;
+    const { view } = document;
     if (this.#stale) {
-      renderer.render(mirror, view, this.#sizes().size);
+      renderer.render(mirror, document, this.#sizes().size);
       this.#stale = false;
     }
     const { texture } = this.tracing;

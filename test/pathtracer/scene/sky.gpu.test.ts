@@ -73,7 +73,7 @@ test.each([
     const mirror = new SceneMirror({ assets, onError: expect.fail });
     mirror.apply(document);
     await mirror.settled();
-    renderer.render(mirror, document.view, { width: size, height: size });
+    renderer.render(mirror, document, { width: size, height: size });
     const { pixels } = await renderer.readRadiance();
     mirror.camera.updateMatrixWorld();
     const reader = new Reader(await new ScenePacker(assets).pack(document));

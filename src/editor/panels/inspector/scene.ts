@@ -1,5 +1,6 @@
 /** The scene itself: view, camera, fog, environment, background, path tracing. */
 
+import { effectNames, effectShapes, effectsDefaults } from '../../../scene/effects-schema.ts';
 import { type EnvironmentPreset, environmentPresets } from '../../../scene/presets.ts';
 import type { Background, Document, EnvironmentSource } from '../../../scene/schema.ts';
 import {
@@ -23,7 +24,7 @@ import { h } from '../../ui/dom.ts';
 import { row, selectField } from '../../ui/fields.ts';
 import { section } from '../../ui/section.ts';
 import { pathCell, tryEdit } from './cell.ts';
-import { type Bound, choiceLabel, shapeFields } from './field.ts';
+import { type Bound, choiceLabel, labelOf, shapeFields } from './field.ts';
 import type { InspectorPanel } from './panel.ts';
 
 export function sceneStructure(document: Document): string {
@@ -82,6 +83,9 @@ export function scenePanel(session: Session): InspectorPanel {
       ),
       fold('Camera', ...part('camera', pose, cameraDefaults)),
       fold('Fog', ...part('fog', fogShape, fogDefaults)),
+      ...effectNames.map((name) =>
+        fold(labelOf(name), ...part(`effects.${name}`, effectShapes[name], effectsDefaults[name])),
+      ),
       fold('Path tracing', ...part('pathTracing', pathTracingShape, pathTracingDefaults)),
       fold('Near and far', ...part('camera', { near, far }, cameraDefaults)),
     ),

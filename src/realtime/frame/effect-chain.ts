@@ -1,0 +1,85 @@
+/** The effects of the present frame: builds those that are switched on, keeps them while they stay, and has them draw. */
+import { context } from 'three/tsl';
+import type { RenderTarget, WebGPURenderer } from 'three/webgpu';
+import { effects as definitions } from '../effects/index.ts';
+import type { Effect, EffectDefinition, EffectSettings, FrameSettings } from './effect.ts';
+import type { FrameInputs } from './inputs.ts';
+
+interface Entry {
+  readonly definition: EffectDefinition;
+  readonly variant: string;
+  readonly effect: Effect;
+}
+
+export class EffectChain {
+  readonly #inputs: FrameInputs;
+  #entries: readonly Entry[] = [];
+  /** What all materials are told. */
+  #told: Readonly<Record<string, unknown>> = {};
+
+  constructor(inputs: FrameInputs) {
+    this.#inputs = inputs;
+  }
+
+  /** Makes the chain that these settings ask for. */
+  follow(three: WebGPURenderer, settings: FrameSettings): void {
+    const before = this.#entries;
+    const wanted = settings.effects === undefined ? [] : this.#wanted(settings as EffectSettings);
+    const kept = new Map(before.map((entry) => [`${entry.definition.name} ${entry.variant}`, entry]));
+    this.#entries = wanted.map(({ definition, variant }) => {
+      const known = kept.get(`${definition.name} ${variant}`);
+      if (known) return known;
+      return { definition, variant, effect: definition.build(this.#inputs, settings as EffectSettings) };
+    });
+    for (const entry of before) if (!this.#entries.includes(entry)) entry.effect.dispose();
+    for (const { effect } of this.#entries) effect.update?.(settings as EffectSettings);
+    const same = before.length === this.#entries.length && before.every((e, i) => e === this.#entries[i]);
+    if (same) return;
+    // Materials are compiled anew where it differs: only when what they are told does.
+    const told = Object.assign({}, ...this.#entries.map(({ effect }) => effect.context ?? {}));
+    if (sameEntries(this.#told, told)) return;
+    this.#told = told;
+    three.contextNode = context(told) as typeof three.contextNode;
+  }
+
+  get needsSurfaces(): boolean {
+    return this.#entries.some(({ definition }) => definition.needsSurfaces);
+  }
+
+  get unsettled(): boolean {
+    return this.#entries.some(({ effect }) => effect.unsettled === true);
+  }
+
+  beforeScene(three: WebGPURenderer): void {
+    for (const { effect } of this.#entries) effect.beforeScene?.(three);
+  }
+
+  afterScene(three: WebGPURenderer, radiance: RenderTarget): RenderTarget {
+    return this.#entries.reduce((input, { effect }) => effect.afterScene?.(three, input) ?? input, radiance);
+  }
+
+  /** Whether any of them works on the picture as a screen shows it. */
+  get worksOnOutput(): boolean {
+    return this.#entries.some(({ effect }) => effect.afterOutput !== undefined);
+  }
+
+  afterOutput(three: WebGPURenderer, picture: RenderTarget): RenderTarget {
+    return this.#entries.reduce((input, { effect }) => effect.afterOutput?.(three, input) ?? input, picture);
+  }
+
+  dispose(): void {
+    for (const { effect } of this.#entries) effect.dispose();
+    this.#entries = [];
+  }
+
+  #wanted(settings: EffectSettings): { definition: EffectDefinition; variant: string }[] {
+    return definitions
+      .filter((definition) => definition.isOn(settings))
+      .map((definition) => ({ definition, variant: definition.variant?.(settings) ?? '' }));
+  }
+}
+
+function sameEntries(a: object, b: object): boolean {
+  const [x, y] = [Object.entries(a), Object.entries(b)];
+  return x.length === y.length && x.every(([key, value]) => (b as Record<string, unknown>)[key] === value);
+}

@@ -1,0 +1,50 @@
+/** What an effect is to the frame: a definition that says when it is there, and what it draws when it is. */
+import type { RenderTarget, WebGPURenderer } from 'three/webgpu';
+import type { EffectName, Effects } from '../../scene/effects-schema.ts';
+import type { Camera, Document, Fog, View } from '../../scene/schema.ts';
+import type { FrameInputs } from './inputs.ts';
+
+export type ViewSettings = Pick<View, 'exposure' | 'toneMapping' | 'resolutionScale'>;
+
+/** The parts of a document that a frame depends on, beside the scene itself. A document is one. */
+export interface FrameSettings {
+  readonly view: ViewSettings;
+  /** Left out: none. */
+  readonly effects?: Effects;
+  readonly camera?: Camera;
+  readonly fog?: Fog;
+  readonly lights?: Document['lights'];
+}
+
+/** The settings of a frame that has effects. */
+export interface EffectSettings extends FrameSettings {
+  readonly effects: Effects;
+}
+
+export interface EffectDefinition {
+  readonly name: EffectName;
+  /** Whether the frame has it. */
+  isOn(settings: EffectSettings): boolean;
+  /** What is built for these settings; when it changes, the effect is built anew, which compiles. */
+  variant?(settings: EffectSettings): string;
+  /** It reads what the surfaces pass draws: depth, normals and motion. */
+  readonly needsSurfaces: boolean;
+  build(inputs: FrameInputs, settings: EffectSettings): Effect;
+}
+
+/** Its methods are called in this order, once a frame. */
+export interface Effect {
+  /** Takes numbers over into uniforms: compiles nothing. */
+  update?(settings: EffectSettings): void;
+  /** Draws what the scene's materials read, when the surfaces are known and the scene is not drawn yet. */
+  beforeScene?(renderer: WebGPURenderer): void;
+  /** What all materials are told: see FrameContext in src/material/frame-context.ts. */
+  readonly context?: Readonly<Record<string, unknown>>;
+  /** From linear radiance to linear radiance, in a target of its own. */
+  afterScene?(renderer: WebGPURenderer, input: RenderTarget): RenderTarget;
+  /** From the picture as a screen shows it to another, in 8-bit sRGB. */
+  afterOutput?(renderer: WebGPURenderer, input: RenderTarget): RenderTarget;
+  /** Further frames of a scene that stands still would be better. */
+  readonly unsettled?: boolean;
+  dispose(): void;
+}

@@ -1,0 +1,70 @@
+import { texture } from 'three/tsl';
+import {
+  HalfFloatType,
+  type Node,
+  NodeMaterial,
+  QuadMesh,
+  RenderTarget,
+  Texture,
+  type TextureDataType,
+  type TextureNode,
+  type WebGPURenderer,
+} from 'three/webgpu';
+
+/** One full-screen draw into a target of its own. */
+export class Pass {
+  readonly target: RenderTarget;
+  readonly #quad: QuadMesh;
+
+  /** @param name for those who read timings and traces */
+  constructor(name: string, fragment: Node, { type = HalfFloatType }: { type?: TextureDataType } = {}) {
+    this.target = new RenderTarget(1, 1, { type, depthBuffer: false });
+    this.target.texture.name = name;
+    const material = new NodeMaterial();
+    material.name = name;
+    material.fragmentNode = fragment;
+    this.#quad = new QuadMesh(material);
+    this.#quad.name = name;
+  }
+
+  render(renderer: WebGPURenderer, width: number, height: number): RenderTarget {
+    this.target.setSize(Math.max(1, Math.round(width)), Math.max(1, Math.round(height)));
+    const previous = renderer.getRenderTarget();
+    renderer.setRenderTarget(this.target);
+    this.#quad.render(renderer);
+    renderer.setRenderTarget(previous);
+    return this.target;
+  }
+
+  dispose(): void {
+    this.target.dispose();
+    (this.#quad.material as NodeMaterial).dispose();
+  }
+}
+
+/** A texture that a pass reads and that is given to it in every frame: set its value before it is drawn. */
+export function inputTexture(): TextureNode<'vec4'> {
+  return texture(new Texture());
+}
+
+/** Copies a picture as it is, to a target or, for null, to the canvas. */
+export class CopyPass {
+  readonly #source = inputTexture();
+  readonly #quad = new QuadMesh(new NodeMaterial());
+
+  constructor() {
+    (this.#quad.material as NodeMaterial).fragmentNode = this.#source;
+  }
+
+  render(renderer: WebGPURenderer, source: RenderTarget, target: RenderTarget | null): void {
+    this.#source.value = source.texture;
+    const previous = renderer.getRenderTarget();
+    renderer.setRenderTarget(target);
+    this.#quad.render(renderer);
+    renderer.setRenderTarget(previous);
+  }
+
+  dispose(): void {
+    (this.#quad.material as NodeMaterial).dispose();
+  }
+}
