@@ -23,17 +23,37 @@ export const cameraShape = {
     slider: [10, 1000],
     step: 1,
   }),
+  sensorHeight: number('Height of the picture behind the lens; a small one leaves more in focus', {
+    range: [0.1, 1000],
+    unit: 'mm',
+    slider: [4, 60],
+    step: 0.1,
+  }),
   fStop: number(
-    'Path tracer: depth of field, as f-number of a lens before a 36 × 24 mm picture; 0 is a pinhole, all in focus',
+    'Focal length over the aperture’s diameter: a small f-number lets in more light and leaves less in focus; 0 is a pinhole, all in focus, exposed as f/16',
     { range: [0, 1000], slider: [0, 22], step: 0.1 },
   ),
-  focusDistance: number('Path tracer: distance along the view that is in focus; 0 is the target’s', {
+  shutter: number(
+    'How long the picture is exposed: the longer, the brighter and the more blurred by motion',
+    {
+      range: [1e-6, 3600],
+      unit: 's',
+      slider: [0.001, 0.1],
+      step: 0.001,
+    },
+  ),
+  iso: number('Sensitivity of film or sensor: the higher, the brighter', {
+    range: [1, 1e6],
+    slider: [50, 6400],
+    step: 1,
+  }),
+  focusDistance: number('Distance along the view that is in focus; 0 is the target’s', {
     range: [0, 1e7],
     unit: 'm',
     slider: [0, 20],
     step: 0.01,
   }),
-  apertureBlades: integer('Path tracer: corners of what is out of focus; fewer than 3 is round', {
+  apertureBlades: integer('Corners of what is out of focus; fewer than 3 is round', {
     range: [0, 16],
     slider: [0, 16],
   }),
@@ -116,13 +136,38 @@ export const termSchema = z.strictObject({
     .describe('A function of the model with the signature of BRDF()'),
 });
 
+/** What the picture shows instead of light, each true data of the frame. */
+export const SHOWN = [
+  'picture',
+  'luminance',
+  'depth',
+  'shadingNormals',
+  'meshNormals',
+  'tangents',
+  'uv',
+  'motion',
+  'overdraw',
+  'lights',
+] as const;
+
 export const viewShape = {
-  exposure: number('Exposure: the picture is multiplied by 2 to this power', {
-    range: [-32, 32],
-    unit: 'EV',
-    slider: [-8, 8],
-    step: 0.05,
-  }),
+  show: choice(
+    'The picture, or what is behind it: luminance in false colours, distance, directions of the surface, texture coordinates, motion, how often a pixel is drawn, how many lamps reach it',
+    SHOWN,
+  ),
+  exposureMode: choice(
+    'What exposes the picture: this panel alone, the camera’s f-number, shutter and ISO, or a meter that follows what is seen',
+    ['manual', 'camera', 'auto'],
+  ),
+  exposure: number(
+    'Exposure, beside what camera or meter say: the picture is multiplied by 2 to this power',
+    {
+      range: [-32, 32],
+      unit: 'EV',
+      slider: [-8, 8],
+      step: 0.05,
+    },
+  ),
   toneMapping: choice('How radiance becomes a colour on the screen', ['none', 'aces', 'agx', 'neutral']),
   resolutionScale: number('Pixels rendered per pixel of the viewport, along each side', {
     range: [0.05, 4],
@@ -175,7 +220,10 @@ export const cameraDefaults: Readonly<Camera> = {
   target: [0, 0.5, 0],
   near: 0.05,
   far: 200,
+  sensorHeight: 24,
   fStop: 0,
+  shutter: 1 / 60,
+  iso: 100,
   focusDistance: 0,
   apertureBlades: 0,
 };
@@ -191,6 +239,8 @@ export const backgroundDefault: Readonly<Background> = {
   color: [0.02, 0.02, 0.022],
 };
 export const viewDefaults: Readonly<View> = {
+  show: 'picture',
+  exposureMode: 'manual',
   exposure: 0,
   toneMapping: 'neutral',
   resolutionScale: 1,

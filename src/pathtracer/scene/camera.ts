@@ -1,23 +1,7 @@
 import { MathUtils, Matrix4, Vector3 } from 'three/webgpu';
+import { focusDistance, lensRadius } from '../../scene/lens.ts';
 import type { Camera } from '../../scene/schema.ts';
 import { HEADER, WORDS_PER_SLOT } from './layout.ts';
-
-/** Half the height of the 36 x 24 mm picture that f-numbers are counted for, in metres. */
-const HALF_PICTURE = 0.012;
-
-/** The radius in metres of the lens that throws the field of view onto such a picture; 0 is a pinhole. */
-export function lensRadius({ fov, fStop }: Camera): number {
-  if (fStop <= 0) return 0;
-  const focalLength = HALF_PICTURE / Math.tan(MathUtils.degToRad(fov) / 2);
-  return focalLength / fStop / 2;
-}
-
-/** The distance along the view that is in focus, in metres. */
-export function focusDistance({ focusDistance: distance, position, target }: Camera): number {
-  if (distance > 0) return distance;
-  // Where the camera is at its target, any distance is as good.
-  return Math.hypot(...position.map((p, i) => target[i]! - p)) || 1;
-}
 
 /** Writes the camera of a rendering of `width` by `height` pixels into the scene's memory. */
 export function writeCamera(
