@@ -2,10 +2,9 @@
 import { createRenderer, type RealtimeRenderer } from '../realtime/renderer.ts';
 import { AssetLoader } from '../scene/assets.ts';
 import { addLight, addObject } from '../scene/commands.ts';
-import { createDocument, serializeDocument } from '../scene/document.ts';
+import { createDocument } from '../scene/document.ts';
 import { SceneMirror } from '../scene/mirror.ts';
 import { pageAssets } from '../scene/page-assets.ts';
-import type { Document } from '../scene/schema.ts';
 import { DocumentStore } from '../scene/store.ts';
 import {
   deleteSelected,
@@ -20,6 +19,7 @@ import { installDrop } from './io/drop.ts';
 import { ANY_ACCEPT, chooseFiles, download, fileNameOf } from './io/files.ts';
 import { openFiles } from './io/open.ts';
 import { createBench } from './panels/bench/bench.ts';
+import { openDocuments } from './panels/documents/documents.ts';
 import { createInspector } from './panels/inspector/inspector.ts';
 import { createOutliner } from './panels/outliner/outliner.ts';
 import { createSourcePanel } from './panels/source/source.ts';
@@ -30,12 +30,13 @@ import { loadScene, shippedScenes } from './scenes.ts';
 import type { Session } from './session.ts';
 import { installShortcuts } from './shortcuts.ts';
 import { EditorStateStore, renderings } from './state.ts';
-import { confirm } from './ui/confirm.ts';
+import { recoverFromLoss } from './storage/device-loss.ts';
+import { saveDocument } from './storage/save-file.ts';
+import { Workspace } from './storage/workspace.ts';
 import { h } from './ui/dom.ts';
 import type { MenuEntry } from './ui/menu.ts';
 import { startProgress, toast, toastError } from './ui/toast.ts';
 import { installTooltip } from './ui/tooltip.ts';
-import { trackUnsaved } from './unsaved.ts';
 import { Viewport } from './viewport/viewport.ts';
 
 /** For the browser's console and for tests: `irradia.store.edit(...)`, `await irradia.ready`. */
@@ -63,7 +64,11 @@ installTooltip();
 
 const store = new DocumentStore(createDocument());
 const state = new EditorStateStore();
-const unsaved = trackUnsaved(store);
+const workspace = new Workspace({
+  store,
+  state,
+  picture: () => window.irradia.viewport?.screenshot() ?? null,
+});
 const assets = new AssetLoader(pageAssets);
 const mirror = new SceneMirror({
   assets,
@@ -73,7 +78,10 @@ const mirror = new SceneMirror({
 const session: Session = {
   store,
   state,
-  openFiles: (files) => openFiles({ store, state, assets, replaceDocument }, files),
+  workspace,
+  newScene,
+  openFiles: (files) =>
+    openFiles({ store, state, assets, replaceDocument: (next) => workspace.replace(next, null) }, files),
   chooseFiles,
   renameSelected: () => outliner.renameSelected(),
   focusSelection: () => window.irradia.viewport?.focusSelection(),
@@ -86,24 +94,35 @@ const canvas = h('canvas', { tabindex: -1, 'aria-label': 'Viewport' });
 const loading = h('div', { class: 'loading' }, 'Loading…');
 const view = h('main', { class: 'viewport' }, canvas, loading);
 
-document
-  .getElementById('app')
-  ?.replaceChildren(
-    createTopbar(session, { newScene, open, save, openShipped, screenshot, tracedPictures, shippedScenes }),
-    h('div', { class: 'panel-left' }, outliner.element),
-    view,
-    createSourcePanel(session),
-    h('div', { class: 'panel-right' }, createInspector(session)),
-    createBench(session, { geometryOf: (id) => mirror.objectFor(id)?.geometry, viewport: canvas }),
-    status.element,
-  );
+document.getElementById('app')?.replaceChildren(
+  createTopbar(session, {
+    open,
+    save,
+    saveAs,
+    openShipped,
+    screenshot,
+    tracedPictures,
+    shippedScenes,
+  }),
+  h('div', { class: 'panel-left' }, outliner.element),
+  view,
+  createSourcePanel(session),
+  h('div', { class: 'panel-right' }, createInspector(session)),
+  createBench(session, { geometryOf: (id) => mirror.objectFor(id)?.geometry, viewport: canvas }),
+  status.element,
+);
+store.subscribe(({ reason }) => {
+  if (reason === 'open') times.clear();
+});
 installDrop(view, (files) => void session.openFiles(files));
 installShortcuts([
   { key: 'z', ctrl: true, run: () => store.undo() },
   { key: 'z', ctrl: true, shift: true, run: () => store.redo() },
   { key: 'y', ctrl: true, run: () => store.redo() },
   { key: 's', ctrl: true, run: save },
+  { key: 's', ctrl: true, shift: true, run: saveAs },
   { key: 'o', ctrl: true, run: open },
+  { key: 'o', ctrl: true, shift: true, run: () => void openDocuments(session) },
   { key: 'd', ctrl: true, run: () => duplicateSelected(store, state) },
   { key: 'delete', run: () => deleteSelected(store, state) },
   { key: 'backspace', run: () => deleteSelected(store, state) },
@@ -124,20 +143,13 @@ window.irradia.ready.catch(() => {
 });
 
 async function start(): Promise<void> {
-  const [renderer, document] = await Promise.allSettled([
+  const [renderer] = await Promise.allSettled([
     createRenderer({
       canvas,
-      onError: (message) =>
-        toast(
-          'error',
-          'The GPU reported an error',
-          `${message}\nSave the scene and reload the page if the picture stands still.`,
-        ),
+      onError: (message) => recoverFromLoss(workspace, message),
     }),
-    loadScene(new URLSearchParams(location.search).get('scene') ?? undefined),
+    workspace.start(() => loadScene(new URLSearchParams(location.search).get('scene') ?? undefined)),
   ]);
-  if (document.status === 'fulfilled') store.open(document.value);
-  else toastError('The scene could not be opened', document.reason);
   mirror.apply(store.document);
   if (renderer.status === 'rejected') {
     showStartFailure(view, renderer.reason);
@@ -168,36 +180,20 @@ async function start(): Promise<void> {
   await viewport.nextFrame();
 }
 
-/** False when the person would rather keep the present scene. */
-async function replaceDocument(next: Document): Promise<boolean> {
-  if (unsaved.value) {
-    const sure = await confirm(
-      `Leave “${store.document.name}”?`,
-      'It has changes that are not saved. Save first if you want to keep them.',
-      'Discard changes',
-    );
-    if (!sure) return false;
-  }
-  state.select(null);
-  store.open(next);
-  times.clear();
-  return true;
-}
-
 function newScene(): void {
   // Not an empty void: something to look at, and light to see it by.
   const fresh = new DocumentStore(createDocument());
   addLight(fresh, 'ambient');
   addLight(fresh, 'directional');
   addObject(fresh, 'sphere');
-  void replaceDocument(fresh.document);
+  void workspace.replace(fresh.document, '');
 }
 
 async function openShipped(name: string): Promise<void> {
   const progress = startProgress(`Opening ${name}`);
   progress.update(`Opening ${name}`, null);
   try {
-    await replaceDocument(await loadScene(name));
+    await workspace.replace(await loadScene(name), `?scene=${encodeURIComponent(name)}`);
   } catch (error) {
     toastError(`${name} could not be opened; the scene is unchanged`, error);
   } finally {
@@ -210,10 +206,11 @@ async function open(): Promise<void> {
 }
 
 function save(): void {
-  const name = `${fileNameOf(store.document.name)}.json`;
-  download(name, new Blob([serializeDocument(store.document)], { type: 'application/json' }));
-  unsaved.mark();
-  toast('success', `Saved ${name}`);
+  void saveDocument(store, workspace, { as: false });
+}
+
+function saveAs(): void {
+  void saveDocument(store, workspace, { as: true });
 }
 
 function screenshot(): Promise<void> {

@@ -1,10 +1,15 @@
 /** What the panels share: the document, the editor's state, and the ways into the scene for files. */
 import type { DocumentStore } from '../scene/store.ts';
 import type { EditorStateStore } from './state.ts';
+import type { Workspace } from './storage/workspace.ts';
 
 export interface Session {
   readonly store: DocumentStore;
   readonly state: EditorStateStore;
+  /** What is kept in the browser, and which document is open. */
+  readonly workspace: Workspace;
+  /** Something to look at, and light to see it by, in place of the present scene. */
+  newScene(): void;
   /** Opens the name of what is selected for typing. */
   renameSelected(): void;
   /** Turns the camera to what is selected, or to everything. */

@@ -1,25 +1,24 @@
-/** Whether the person would lose work: a look around with the camera is not work. */
+/** Whether leaving the page would lose work: a look around with the camera is not work. */
 import type { Document } from '../scene/schema.ts';
 import type { DocumentStore } from '../scene/store.ts';
+import { onlyTheCameraDiffers } from './storage/autosave.ts';
 
 export interface Unsaved {
+  /** The document has work that is in no file. */
   readonly value: boolean;
   /** The document as it is now is safe: saved, or just opened. */
   mark(): void;
 }
 
-export function trackUnsaved(store: DocumentStore): Unsaved {
+/** `keep` keeps the document in the browser at once; false if that cannot be. */
+export function trackUnsaved(store: DocumentStore, keep: () => boolean): Unsaved {
   let safe: Document = store.document;
-  const differs = () => {
-    const { document } = store;
-    const parts = Object.keys(document) as (keyof Document)[];
-    return parts.some((part) => part !== 'camera' && part !== 'view' && document[part] !== safe[part]);
-  };
+  const differs = () => !onlyTheCameraDiffers(store.document, safe);
   store.subscribe(({ reason, document }) => {
     if (reason === 'open') safe = document;
   });
   window.addEventListener('beforeunload', (event) => {
-    if (differs()) event.preventDefault();
+    if (!keep() && differs()) event.preventDefault();
   });
   return {
     get value() {

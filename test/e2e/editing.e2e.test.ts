@@ -278,18 +278,4 @@ describe('saving', () => {
     expect((await fresh.picture()).hash).toBe((await page.picture()).hash);
     expect([...page.errors, ...fresh.errors]).toEqual([]);
   });
-
-  it('is asked about before another scene takes the place of changes', async () => {
-    await page.menu('Add', 'Cone');
-    const changed = await page.document();
-    await page.menu('File', 'New');
-    await page.page.click('.confirm >> text=Cancel');
-    expect(await page.document()).toEqual(changed);
-    await page.menu('File', 'New');
-    await page.page.click('.confirm >> text=Discard changes');
-    await page.page.waitForFunction('irradia.store.document.name === "Untitled"');
-    const { objects, lights } = await page.document();
-    expect(Object.keys(objects)).toHaveLength(1);
-    expect(Object.keys(lights)).toHaveLength(2);
-  });
 });

@@ -17,6 +17,10 @@ export interface LabOptions {
   init?: string;
   width?: number;
   height?: number;
+  /** Another page of the same browser profile: what was kept there is kept here. */
+  beside?: LabPage;
+  /** Whether the page may install itself for use without a network. */
+  serviceWorkers?: 'allow' | 'block';
 }
 
 export interface Lab {
@@ -35,17 +39,27 @@ export async function openLab(): Promise<Lab> {
     for (const server of servers) await server.close();
   });
   return {
-    async open({ query = '', files = {}, init, width = SIZE.width, height = SIZE.height } = {}) {
-      const server = await startStaticServer({
-        files: new Map([...built, ...Object.entries(files)]),
-        port: 0,
-      });
-      servers.push(server);
-      const page = await browser.newPage({ viewport: { width, height }, acceptDownloads: true });
+    async open({ query = '', files = {}, init, width = SIZE.width, height = SIZE.height, ...options } = {}) {
+      const { beside, serviceWorkers = 'block' } = options;
+      let url = beside?.url;
+      if (url === undefined) {
+        const server = await startStaticServer({
+          files: new Map([...built, ...Object.entries(files)]),
+          port: 0,
+        });
+        servers.push(server);
+        ({ url } = server);
+      }
+      const viewport = { width, height };
+      const page = beside
+        ? await beside.page.context().newPage()
+        : await (await browser.newContext({ viewport, acceptDownloads: true, serviceWorkers })).newPage();
       const errors = watchErrors(page);
+      // Nobody is there to answer the browser's own dialog; without it, saving is a download.
+      await page.addInitScript('delete window.showSaveFilePicker');
       if (init) await page.addInitScript(init);
-      await page.goto(`${server.url}${query}`);
-      return new LabPage(page, errors);
+      await page.goto(`${url}${query}`);
+      return new LabPage(page, errors, url);
     },
   };
 }
@@ -62,6 +76,7 @@ export class LabPage {
     readonly page: Page,
     /** What the page reported as an error so far. */
     readonly errors: string[],
+    readonly url: string,
   ) {}
 
   async ready(): Promise<this> {

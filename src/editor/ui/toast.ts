@@ -4,6 +4,12 @@ import { icon } from './icons.ts';
 
 export type ToastKind = 'info' | 'success' | 'error';
 
+/** What a message offers to do about it. */
+export interface ToastAction {
+  readonly label: string;
+  run(): void;
+}
+
 export interface Progress {
   /** `fraction` 0..1, or null when the total is not known. */
   update(text: string, fraction: number | null): void;
@@ -11,6 +17,8 @@ export interface Progress {
 }
 
 const LIFE_MS: Record<ToastKind, number> = { info: 4000, success: 3000, error: 0 };
+/** Whoever is offered something needs the time to read it and to decide. */
+export const OFFER_LIFE_MS = 15_000;
 const MOST = 4;
 
 let stack: HTMLElement | null = null;
@@ -21,7 +29,7 @@ function host(): HTMLElement {
 }
 
 /** An error stays until it is closed: it may have to be read, or copied. */
-export function toast(kind: ToastKind, title: string, detail?: string): void {
+export function toast(kind: ToastKind, title: string, detail?: string, action?: ToastAction): void {
   const same = [...host().children].find(
     (other) => other instanceof HTMLElement && other.dataset.text === title + (detail ?? ''),
   );
@@ -36,13 +44,25 @@ export function toast(kind: ToastKind, title: string, detail?: string): void {
     { class: `toast ${kind}`, ...(kind === 'error' && { role: 'alert' }) },
     icon(kind === 'error' ? 'warning' : kind === 'success' ? 'check' : 'info'),
     h('div', { class: 'toast-text' }, h('strong', {}, title), detail ? h('p', {}, detail) : null),
+    action ? actionButton(action, () => element.remove()) : null,
     close,
   );
+  element.classList.toggle('with-action', action !== undefined);
   element.dataset.text = title + (detail ?? '');
   close.addEventListener('click', () => element.remove());
   host().append(element);
   while (host().children.length > MOST) host().firstElementChild?.remove();
-  if (LIFE_MS[kind] > 0) window.setTimeout(() => element.remove(), LIFE_MS[kind]);
+  const life = action && LIFE_MS[kind] > 0 ? OFFER_LIFE_MS : LIFE_MS[kind];
+  if (life > 0) window.setTimeout(() => element.remove(), life);
+}
+
+function actionButton({ label, run }: ToastAction, close: () => void): HTMLButtonElement {
+  const button = h('button', { type: 'button', class: 'text-button' }, label);
+  button.addEventListener('click', () => {
+    close();
+    run();
+  });
+  return button;
 }
 
 export function toastError(title: string, error: unknown): void {

@@ -9,13 +9,15 @@ import type { Session } from '../../session.ts';
 import { h } from '../../ui/dom.ts';
 import { type IconName, icon, isIcon } from '../../ui/icons.ts';
 import { type MenuEntry, menuButton, openMenu } from '../../ui/menu.ts';
+import { openDocuments } from '../documents/documents.ts';
+import { createTitle } from '../documents/title.ts';
 import { selectionEntries } from '../selection-menu.ts';
 import { createTermSelect } from './term-select.ts';
 
 export interface TopbarActions {
-  newScene(): void;
   open(): void;
   save(): void;
+  saveAs(): void;
   openShipped(name: string): void;
   screenshot(): void;
   /** More pictures that can be saved; none while there is only the one that is shown. */
@@ -25,7 +27,6 @@ export interface TopbarActions {
 
 export function createTopbar(session: Session, actions: TopbarActions): HTMLElement {
   const { store, state } = session;
-  const title = h('span', { class: 'scene-name' });
   const undo = historyButton('undo', () => store.undo());
   const redo = historyButton('redo', () => store.redo());
   const shot = h(
@@ -72,8 +73,6 @@ export function createTopbar(session: Session, actions: TopbarActions): HTMLElem
   const update = () => {
     helpers.classList.toggle('on', store.document.view.helpers);
     helpers.setAttribute('aria-pressed', String(store.document.view.helpers));
-    title.textContent = store.document.name;
-    document.title = `${store.document.name} – Irradia`;
     showHistory(undo, 'Undo', store.canUndo, store.undoLabel, 'Ctrl+Z');
     showHistory(redo, 'Redo', store.canRedo, store.redoLabel, 'Ctrl+Shift+Z');
   };
@@ -84,14 +83,14 @@ export function createTopbar(session: Session, actions: TopbarActions): HTMLElem
     'header',
     { class: 'topbar' },
     h('span', { class: 'brand' }, h('span', { class: 'brand-mark' }), 'Irradia'),
-    menuButton('File', () => fileEntries(actions)),
+    menuButton('File', () => fileEntries(session, actions)),
     menuButton('Edit', () => editEntries(session)),
     menuButton('Add', () => addEntries(session)),
     h('span', { class: 'divider' }),
     undo,
     redo,
     h('span', { class: 'spacer' }),
-    title,
+    createTitle(session),
     h('span', { class: 'spacer' }),
     createTermSelect(session),
     bench,
@@ -104,9 +103,9 @@ function screenshotEntry({ screenshot }: TopbarActions): MenuEntry {
   return { label: 'Screenshot', icon: 'camera', tip: 'The viewport as it is shown, as PNG', run: screenshot };
 }
 
-function fileEntries(actions: TopbarActions): MenuEntry[] {
+function fileEntries(session: Session, actions: TopbarActions): MenuEntry[] {
   return [
-    { label: 'New', icon: 'file', run: actions.newScene },
+    { label: 'New', icon: 'file', run: session.newScene },
     {
       label: 'Open…',
       icon: 'folder',
@@ -114,7 +113,15 @@ function fileEntries(actions: TopbarActions): MenuEntry[] {
       tip: 'A scene, glTF, .brdf, measured BRDF, HDR, EXR or image',
       run: actions.open,
     },
+    {
+      label: 'Documents…',
+      icon: 'copy',
+      shortcut: 'Ctrl+Shift+O',
+      tip: 'What this browser keeps: other documents, and versions of this one',
+      run: () => openDocuments(session),
+    },
     { label: 'Save', icon: 'save', shortcut: 'Ctrl+S', run: actions.save },
+    { label: 'Save as…', shortcut: 'Ctrl+Shift+S', run: actions.saveAs },
     screenshotEntry(actions),
     ...actions.tracedPictures(),
     'separator',

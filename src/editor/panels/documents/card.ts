@@ -1,0 +1,37 @@
+/** A document in the list: its picture, name, age and size. */
+import type { KeptDocument } from '../../storage/kept-documents.ts';
+import { h } from '../../ui/dom.ts';
+import { icon } from '../../ui/icons.ts';
+import { agoText, bytesText } from './format.ts';
+
+export interface CardState {
+  /** Of its picture. */
+  readonly url: string | null;
+  readonly chosen: boolean;
+  /** Here, in another tab, or nowhere. */
+  readonly state: 'open' | 'elsewhere' | null;
+}
+
+const BADGES = { open: 'open', elsewhere: 'in another tab' };
+
+export function createCard(kept: KeptDocument, { url, chosen, state }: CardState): HTMLButtonElement {
+  const card = h(
+    'button',
+    { type: 'button', class: 'document-card', ...(chosen && { 'aria-current': 'true' }) },
+    h(
+      'span',
+      { class: 'document-picture' },
+      url ? h('img', { src: url, alt: '', draggable: 'false' }) : icon('scene'),
+      state ? h('span', { class: 'badge' }, BADGES[state]) : null,
+    ),
+    h('span', { class: 'document-name' }, kept.name || 'Untitled'),
+    h('span', { class: 'document-facts' }, `${agoText(kept.modified)} · ${bytesText(sizeOf(kept))}`),
+  );
+  card.dataset.document = kept.id;
+  return card;
+}
+
+/** Its own part; versions and what it shares with others left aside. */
+export function sizeOf({ textSize, changesSize, assetsSize }: KeptDocument): number {
+  return textSize + changesSize + assetsSize;
+}

@@ -1,0 +1,86 @@
+/** The chosen document: rename, open, duplicate, delete; and its versions. */
+import { setField } from '../../../scene/commands.ts';
+import { attempt } from '../../commands.ts';
+import type { KeptDocument } from '../../storage/kept-documents.ts';
+import { timeText } from '../../storage/workspace.ts';
+import { h } from '../../ui/dom.ts';
+import { type IconName, icon } from '../../ui/icons.ts';
+import { toastError } from '../../ui/toast.ts';
+import type { DocumentsContext } from './documents.ts';
+import { createVersions } from './versions.ts';
+
+export async function createDetail(
+  context: DocumentsContext,
+  kept: KeptDocument,
+  held: ReadonlySet<string>,
+): Promise<HTMLElement[]> {
+  const { session, storage, refresh, close } = context;
+  const { workspace, store } = session;
+  const isOpen = kept.id === workspace.kept?.id;
+  const elsewhere = !isOpen && held.has(kept.id);
+
+  const name = h('input', {
+    type: 'text',
+    class: 'text-field document-title',
+    value: kept.name,
+    maxlength: 200,
+    disabled: elsewhere,
+    'aria-label': 'Name of the document',
+  });
+  name.addEventListener('change', () => {
+    void run('Not renamed', async () => {
+      if (isOpen) {
+        attempt('Not renamed', () => setField(store, ['name'], name.value, `Rename to ${name.value}`));
+        store.endMerge();
+        await workspace.flush();
+      } else await storage.rename(kept, name.value);
+      await refresh();
+    });
+  });
+  name.addEventListener('keydown', (event) => {
+    if (event.key === 'Enter') name.blur();
+  });
+
+  const open = action('Open', 'folder', isOpen, async () => {
+    close();
+    await workspace.openKept(kept);
+  });
+  open.classList.add('primary');
+  const duplicate = action('Duplicate', 'copy', false, async () => {
+    await storage.duplicate(kept, `${kept.name.slice(0, 195)} copy`);
+    await refresh();
+  });
+  const remove = action('Delete', 'trash', elsewhere, async () => {
+    await workspace.delete(kept, async () => session.newScene());
+    await refresh();
+  });
+
+  const facts = [`Changed ${timeText(kept.modified)}`, `begun ${timeText(kept.created)}`];
+  if (kept.file) facts.push(`Save writes ${kept.file.name}`);
+  return [
+    name,
+    h('p', { class: 'document-facts' }, facts.join(' · ')),
+    elsewhere ? h('p', { class: 'hint' }, 'Another tab has it open. Opening it here makes a copy.') : null,
+    h('div', { class: 'document-actions' }, open, duplicate, remove),
+    await createVersions(context, kept, isOpen),
+  ].filter((part) => part !== null);
+}
+
+function action(
+  label: string,
+  name: IconName,
+  disabled: boolean,
+  what: () => Promise<void>,
+): HTMLButtonElement {
+  const button = h('button', { type: 'button', class: 'text-button', disabled }, icon(name), label);
+  button.addEventListener('click', () => void run(`${label} did not work`, what));
+  return button;
+}
+
+export async function run(failure: string, what: () => Promise<void>): Promise<void> {
+  try {
+    await what();
+  } catch (error) {
+    toastError(failure, error);
+  }
+}

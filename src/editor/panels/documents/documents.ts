@@ -1,0 +1,136 @@
+/** The documents that the browser keeps: a dialog with their pictures and, for the chosen one, its versions. */
+import type { Session } from '../../session.ts';
+import type { KeptDocument, KeptDocuments } from '../../storage/kept-documents.ts';
+import { heldDocuments } from '../../storage/session-record.ts';
+import { h } from '../../ui/dom.ts';
+import { icon } from '../../ui/icons.ts';
+import { toast, toastError } from '../../ui/toast.ts';
+import { createCard } from './card.ts';
+import { createDetail } from './detail.ts';
+import { createUsage } from './usage.ts';
+
+export interface DocumentsContext {
+  readonly session: Session;
+  readonly storage: KeptDocuments;
+  /** Shows what is kept now. */
+  refresh(): Promise<void>;
+  close(): void;
+}
+
+export async function openDocuments(session: Session): Promise<void> {
+  const { workspace } = session;
+  const { storage } = workspace;
+  if (!storage) {
+    toast('error', 'This browser or window keeps no documents', 'Save to a file before you leave.');
+    return;
+  }
+  await workspace.flush();
+  const dialog = h('dialog', { class: 'documents', 'aria-label': 'Documents' });
+  const list = h('div', { class: 'document-list' });
+  const detail = h('section', { class: 'document-detail' });
+  const usage = createUsage();
+  const urls: string[] = [];
+  let chosen = workspace.kept?.id;
+  let shown = 0;
+
+  const context: DocumentsContext = { session, storage, refresh, close: () => dialog.close() };
+
+  async function refresh(): Promise<void> {
+    const turn = ++shown;
+    const [documents, held] = await Promise.all([storage?.list() ?? [], heldDocuments()]);
+    const pictures = await Promise.all(documents.map(({ id }) => storage?.thumbnail(id)));
+    if (turn !== shown) return;
+    for (const url of urls.splice(0)) URL.revokeObjectURL(url);
+    const focused = document.activeElement;
+    const hadFocus = focused instanceof HTMLElement && list.contains(focused);
+    if (!documents.some(({ id }) => id === chosen)) chosen = documents[0]?.id;
+    const cards = documents.map((kept, i) => {
+      const picture = pictures[i];
+      const url = picture ? URL.createObjectURL(picture) : null;
+      if (url) urls.push(url);
+      const open = kept.id === workspace.kept?.id;
+      const card = createCard(kept, {
+        url,
+        chosen: kept.id === chosen,
+        state: open ? 'open' : held.has(kept.id) ? 'elsewhere' : null,
+      });
+      card.addEventListener('click', () => choose(kept));
+      card.addEventListener('focus', () => chosen !== kept.id && choose(kept));
+      card.addEventListener('dblclick', () => void openKept(kept));
+      card.addEventListener('keydown', (event) => {
+        if (event.key === 'Enter') void openKept(kept);
+        else if (event.key.startsWith('Arrow')) step(card, event.key);
+        else return;
+        event.preventDefault();
+      });
+      return card;
+    });
+    list.replaceChildren(
+      ...(cards.length > 0
+        ? cards
+        : [h('p', { class: 'hint' }, 'What you change is kept here by itself. There is nothing yet.')]),
+    );
+    const kept = documents.find(({ id }) => id === chosen);
+    detail.replaceChildren(...(kept ? await createDetail(context, kept, held) : []));
+    if (hadFocus) list.querySelector<HTMLElement>('[aria-current]')?.focus();
+    await usage.refresh(documents);
+  }
+
+  function choose(kept: KeptDocument): void {
+    chosen = kept.id;
+    for (const card of list.children) {
+      if (card instanceof HTMLElement && card.dataset.document === chosen)
+        card.setAttribute('aria-current', 'true');
+      else card.removeAttribute('aria-current');
+    }
+    void heldDocuments()
+      .then((held) => createDetail(context, kept, held))
+      .then((parts) => chosen === kept.id && detail.replaceChildren(...parts));
+  }
+
+  async function openKept(kept: KeptDocument): Promise<void> {
+    dialog.close();
+    await workspace.openKept(kept);
+  }
+
+  function step(card: HTMLElement, key: string): void {
+    const cards = [...list.children];
+    const columns = getComputedStyle(list).gridTemplateColumns.split(' ').length;
+    const by = { ArrowLeft: -1, ArrowRight: 1, ArrowUp: -columns, ArrowDown: columns }[key] ?? 0;
+    const next = cards[cards.indexOf(card) + by];
+    if (next instanceof HTMLElement) next.focus();
+  }
+
+  const close = h(
+    'button',
+    { type: 'button', class: 'icon-button', 'aria-label': 'Close', tip: 'Close (Esc)' },
+    icon('close'),
+  );
+  close.addEventListener('click', () => dialog.close());
+  const fresh = h('button', { type: 'button', class: 'text-button' }, icon('file'), 'New');
+  fresh.addEventListener('click', () => {
+    dialog.close();
+    session.newScene();
+  });
+  dialog.append(
+    h('header', {}, h('h1', {}, 'Documents'), fresh, close),
+    h('div', { class: 'documents-body' }, list, detail),
+    usage.element,
+  );
+  dialog.addEventListener('click', (event) => {
+    if (event.target === dialog) dialog.close();
+  });
+  dialog.addEventListener('close', () => {
+    for (const url of urls) URL.revokeObjectURL(url);
+    dialog.remove();
+  });
+  document.body.append(dialog);
+  dialog.showModal();
+  try {
+    await refresh();
+    list.querySelector<HTMLElement>('[aria-current]')?.focus();
+  } catch (error) {
+    dialog.close();
+    toastError('The documents could not be read', error);
+  }
+}

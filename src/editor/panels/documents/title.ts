@@ -1,0 +1,46 @@
+/** The document's name in the top bar, and whether what was done to it is kept; opens the list of documents. */
+import type { Session } from '../../session.ts';
+import type { KeepState } from '../../storage/autosave.ts';
+import { explainFailure } from '../../storage/failure.ts';
+import { timeText } from '../../storage/workspace.ts';
+import { h } from '../../ui/dom.ts';
+import { icon } from '../../ui/icons.ts';
+import { openDocuments } from './documents.ts';
+
+export function createTitle(session: Session): HTMLElement {
+  const { store, workspace } = session;
+  const name = h('span', { class: 'scene-name' });
+  const mark = h('span', { class: 'keep-mark' });
+  const button = h('button', { type: 'button', class: 'document-button' }, name, mark);
+  button.addEventListener('click', () => void openDocuments(session));
+
+  const showName = () => {
+    name.textContent = store.document.name || 'Untitled';
+    document.title = `${store.document.name} – Irradia`;
+  };
+  const showState = (state: KeepState) => {
+    button.dataset.keep = state.kind;
+    mark.replaceChildren(state.kind === 'failed' ? icon('warning') : markTexts[state.kind]);
+    button.dataset.tip = `${tipOf(state)}\nDocuments and versions (Ctrl+Shift+O)`;
+  };
+  store.subscribe(showName);
+  workspace.subscribe(showState);
+  showName();
+  showState(workspace.keepState);
+  return button;
+}
+
+const markTexts = { unchanged: '', waiting: '•', kept: 'kept', failed: '' } as const;
+
+function tipOf(state: KeepState): string {
+  switch (state.kind) {
+    case 'unchanged':
+      return 'As it was opened';
+    case 'waiting':
+      return 'Being kept in this browser';
+    case 'kept':
+      return `Kept in this browser ${timeText(state.time)}`;
+    case 'failed':
+      return `Not kept. ${explainFailure(state.error)}`;
+  }
+}

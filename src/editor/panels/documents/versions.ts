@@ -1,0 +1,102 @@
+/** The versions of a document: those with a name, and those that were kept every ten minutes of work. */
+import type { KeptDocument, Version } from '../../storage/kept-documents.ts';
+import { timeText } from '../../storage/workspace.ts';
+import { h } from '../../ui/dom.ts';
+import { icon } from '../../ui/icons.ts';
+import { toast } from '../../ui/toast.ts';
+import { run } from './detail.ts';
+import type { DocumentsContext } from './documents.ts';
+import { agoText } from './format.ts';
+
+export async function createVersions(
+  context: DocumentsContext,
+  kept: KeptDocument,
+  isOpen: boolean,
+): Promise<HTMLElement> {
+  const { session, storage, refresh } = context;
+  const versions = await storage.versions(kept.id);
+  const name = h('input', {
+    type: 'text',
+    class: 'text-field',
+    placeholder: 'Name the present state',
+    maxlength: 200,
+    'aria-label': 'Name of a new version',
+  });
+  const keep = h('button', { type: 'submit', class: 'text-button' }, 'Keep version');
+  const form = h('form', { class: 'version-form' }, name, keep);
+  form.addEventListener('submit', (event) => {
+    event.preventDefault();
+    const title = name.value.trim();
+    if (title === '') {
+      name.focus();
+      return;
+    }
+    void run('The version was not kept', async () => {
+      await storage.addVersion(kept.id, session.store.document, title);
+      await refresh();
+    });
+  });
+  const list = h('ul', { class: 'version-list' }, ...versions.map((version) => row(context, kept, version)));
+  return h(
+    'section',
+    { class: 'versions' },
+    h('h2', {}, 'Versions'),
+    isOpen ? form : null,
+    versions.length > 0
+      ? list
+      : h('p', { class: 'hint' }, 'One is kept by itself every ten minutes of work.'),
+  );
+}
+
+function row(context: DocumentsContext, kept: KeptDocument, version: Version): HTMLElement {
+  const { session, storage, refresh, close } = context;
+  const { workspace } = session;
+  const restore = h(
+    'button',
+    { type: 'button', class: 'text-button', tip: 'Go back to this version; undo leads back again' },
+    'Restore',
+  );
+  restore.addEventListener('click', () => {
+    void run('The version was not restored', async () => {
+      close();
+      if (kept.id !== workspace.kept?.id && !(await workspace.openKept(kept))) return;
+      await workspace.restore(version);
+      toast('success', `Restored ${titleOf(version)}`, undefined, {
+        label: 'Undo',
+        run: () => session.store.undo(),
+      });
+    });
+  });
+  const remove = h(
+    'button',
+    {
+      type: 'button',
+      class: 'icon-button',
+      'aria-label': `Delete ${titleOf(version)}`,
+      tip: 'Delete this version',
+    },
+    icon('trash'),
+  );
+  remove.addEventListener('click', () => {
+    void run('The version was not deleted', async () => {
+      await storage.deleteVersion(version);
+      await refresh();
+    });
+  });
+  return h(
+    'li',
+    {},
+    h(
+      'span',
+      { class: 'version-name', tip: timeText(version.time) },
+      h('strong', { class: version.name === null ? 'automatic' : undefined }, version.name ?? 'Automatic'),
+      h('span', {}, agoText(version.time)),
+    ),
+    restore,
+    remove,
+  );
+}
+
+function titleOf({ name, time }: Version): string {
+  return name === null ? `the version of ${timeText(time)}` : `“${name}”`;
+}

@@ -1,0 +1,112 @@
+/**
+ * A document as the browser keeps it: assets are named by the SHA-256 of their bytes, which are kept once,
+ * whatever number of documents and versions use them.
+ */
+import { parseDocument } from '../../scene/document.ts';
+import type { Asset, Document } from '../../scene/schema.ts';
+
+export interface StoredAsset {
+  readonly name: string;
+  readonly mediaType: string;
+  readonly sha256: string;
+}
+
+export type StoredDocument = Omit<Document, 'assets'> & {
+  readonly assets: Readonly<Record<string, StoredAsset>>;
+};
+
+/** An asset's bytes and what they are called. */
+export interface HashedAsset {
+  readonly stored: StoredAsset;
+  readonly blob: Blob;
+}
+
+/** Assets never change; what was once taken apart is remembered for as long as its asset is. */
+const hashed = new WeakMap<Asset, HashedAsset>();
+const underWay = new WeakMap<Asset, Promise<HashedAsset>>();
+const takenApart = new WeakMap<Document['assets'], StoredDocument['assets']>();
+
+/** Whether takeApart() can be called: what an event that ends the page has no time to wait for. */
+export function isHashed(document: Document): boolean {
+  return Object.values(document.assets).every((asset) => hashed.has(asset));
+}
+
+/** Asks the browser, which does both off this thread, for the bytes and the hash of every new asset. */
+export async function hashAssets(document: Document): Promise<void> {
+  for (const asset of Object.values(document.assets)) {
+    if (hashed.has(asset)) continue;
+    const started = underWay.get(asset) ?? hashAsset(asset);
+    underWay.set(asset, started);
+    hashed.set(asset, await started);
+  }
+}
+
+async function hashAsset({ name, mediaType, data }: Asset): Promise<HashedAsset> {
+  const answer = await fetch(`data:application/octet-stream;base64,${data}`);
+  const bytes = await answer.arrayBuffer();
+  const digest = new Uint8Array(await crypto.subtle.digest('SHA-256', bytes));
+  const sha256 = [...digest].map((byte) => byte.toString(16).padStart(2, '0')).join('');
+  return { stored: { name, mediaType, sha256 }, blob: new Blob([bytes]) };
+}
+
+/** The document with names in place of bytes. All its assets have to be hashed. */
+export function takeApart(document: Document): StoredDocument {
+  const known = takenApart.get(document.assets);
+  if (known) return { ...document, assets: known };
+  const assets = Object.fromEntries(
+    Object.entries(document.assets).map(([id, asset]) => [id, hashedAsset(asset).stored]),
+  );
+  takenApart.set(document.assets, assets);
+  return { ...document, assets };
+}
+
+/** The bytes that a document needs, by hash: many assets may have the same. */
+export function bytesOf(document: Document): Map<string, Blob> {
+  return new Map(
+    Object.values(document.assets).map((asset) => {
+      const { stored, blob } = hashedAsset(asset);
+      return [stored.sha256, blob];
+    }),
+  );
+}
+
+function hashedAsset(asset: Asset): HashedAsset {
+  const found = hashed.get(asset);
+  if (!found) throw new Error(`${asset.name} has not been hashed yet.`);
+  return found;
+}
+
+/** The reverse. Whatever was kept, even by an older version of the page, is validated as a file would be. */
+export async function putTogether(
+  json: Record<string, unknown>,
+  fileName: string,
+  bytesFor: (sha256: string) => Promise<Blob | undefined>,
+): Promise<Document> {
+  const blobs = new Map<string, HashedAsset>();
+  const assets: Record<string, unknown> = {};
+  for (const [id, stored] of Object.entries((json.assets ?? {}) as StoredDocument['assets'])) {
+    const blob = await bytesFor(stored.sha256);
+    if (!blob) throw new Error(`${fileName}: the bytes of ${stored.name} are no longer in this browser.`);
+    blobs.set(id, { stored, blob });
+    assets[id] = { name: stored.name, mediaType: stored.mediaType, data: await base64Of(blob) };
+  }
+  const document = parseDocument({ ...json, assets }, fileName);
+  for (const [id, asset] of Object.entries(document.assets)) {
+    const known = blobs.get(id);
+    if (known) hashed.set(asset, known);
+  }
+  return document;
+}
+
+/** The browser encodes base64 off this thread and fast. */
+export function base64Of(blob: Blob): Promise<string> {
+  return new Promise((resolve, reject) => {
+    const reader = new FileReader();
+    reader.onload = () => {
+      const url = String(reader.result);
+      resolve(url.slice(url.indexOf(',') + 1));
+    };
+    reader.onerror = () => reject(reader.error ?? new Error('The browser could not read the file.'));
+    reader.readAsDataURL(blob);
+  });
+}

@@ -1,0 +1,305 @@
+/**
+ * Which document is open, and how one takes the place of another without anything being lost: the first of
+ * a page, those that were kept, files, links, versions.
+ */
+import type { Document } from '../../scene/schema.ts';
+import type { DocumentStore } from '../../scene/store.ts';
+import type { EditorStateStore } from '../state.ts';
+import { confirm } from '../ui/confirm.ts';
+import { OFFER_LIFE_MS, toast, toastError } from '../ui/toast.ts';
+import { trackUnsaved, type Unsaved } from '../unsaved.ts';
+import { Autosave, type KeepState } from './autosave.ts';
+import { explainFailure } from './failure.ts';
+import { type KeptDocument, KeptDocuments, type Version } from './kept-documents.ts';
+import { hold, readSession, type SessionRecord, writeSession } from './session-record.ts';
+import { Thumbnails } from './thumbnails.ts';
+
+export interface WorkspaceOptions {
+  readonly store: DocumentStore;
+  readonly state: EditorStateStore;
+  /** A picture of the view; null while there is none. */
+  picture(): Promise<Blob> | null;
+}
+
+export class Workspace {
+  readonly #store: DocumentStore;
+  readonly #state: EditorStateStore;
+  readonly #autosave: Autosave;
+  readonly #unsaved: Unsaved;
+  readonly #thumbnails: Thumbnails;
+  readonly #listeners = new Set<(state: KeepState) => void>();
+  #storage: KeptDocuments | null = null;
+  #release: (() => void) | null = null;
+  #warned = false;
+
+  constructor({ store, state, picture }: WorkspaceOptions) {
+    this.#store = store;
+    this.#state = state;
+    this.#thumbnails = new Thumbnails(picture);
+    this.#autosave = new Autosave({
+      store,
+      onState: (keepState) => this.#onState(keepState),
+      onFirstKept: (kept) => void this.#hold(kept.id),
+    });
+    this.#unsaved = trackUnsaved(store, () => this.#autosave.flushNow());
+    window.addEventListener('pagehide', () => this.#remember());
+    document.addEventListener('visibilitychange', () => this.#remember());
+  }
+
+  /** Null where the browser keeps nothing. */
+  get storage(): KeptDocuments | null {
+    return this.#storage;
+  }
+
+  get kept(): KeptDocument | null {
+    return this.#autosave.kept;
+  }
+
+  get keepState(): KeepState {
+    return this.#autosave.state;
+  }
+
+  /** Where Save writes the open document, in browsers that let a page write files. */
+  get file(): FileSystemFileHandle | null {
+    return this.#autosave.file;
+  }
+
+  subscribe(listener: (state: KeepState) => void): () => void {
+    this.#listeners.add(listener);
+    return () => this.#listeners.delete(listener);
+  }
+
+  /** Everything is written; the picture of the document is fresh. */
+  async flush(): Promise<void> {
+    await this.#autosave.flush();
+    await this.#thumbnails.take(this.#storage, this.kept);
+  }
+
+  /** The document is in a file of the person's own. */
+  async savedTo(file: FileSystemFileHandle | null): Promise<void> {
+    this.#unsaved.mark();
+    if (file) await this.#autosave.setFile(file);
+  }
+
+  /** The document of the page's first frame: the one that this tab had, or the last one, or the address's. */
+  async start(addressed: () => Promise<Document>): Promise<void> {
+    const address = location.search + location.hash;
+    try {
+      this.#storage = await KeptDocuments.open();
+      this.#autosave.use(this.#storage);
+    } catch (error) {
+      this.#autosave.use(null, error);
+    }
+    const session = readSession();
+    const same = session?.address === address ? session : null;
+    if (await this.#recover(address, same, addressed)) return;
+    await this.#openAddressed(address, addressed);
+    if (!same && address !== '') await this.#offerEarlierWork(address);
+    // Not in the way of the first frame.
+    void this.#storage?.purge().catch(() => {});
+  }
+
+  async #openAddressed(address: string, addressed: () => Promise<Document>): Promise<void> {
+    try {
+      const document = await addressed();
+      this.#store.open(document);
+      this.#autosave.opened(document, null, address);
+    } catch (error) {
+      toastError('The scene could not be opened', error);
+      this.#autosave.opened(this.#store.document, null, '');
+    }
+    this.#remember();
+  }
+
+  async #recover(
+    address: string,
+    session: SessionRecord | null,
+    addressed: () => Promise<Document>,
+  ): Promise<boolean> {
+    const storage = this.#storage;
+    if (!storage) return false;
+    try {
+      const id = session ? session.document : address === '' ? (await storage.list())[0]?.id : null;
+      const kept = id ? await storage.find(id) : undefined;
+      if (!kept || !(await this.#hold(kept.id))) return false;
+      await this.#openStored(storage, kept);
+      const selection = session?.selection ?? null;
+      if (selection && selection.id in this.#store.document[selection.kind]) this.#state.select(selection);
+      const discard = async () => {
+        await this.delete(kept, () => this.#openAddressed(address, addressed));
+      };
+      toast('info', `Recovered “${kept.name}”`, `As it was ${timeText(kept.modified)}.`, {
+        label: 'Discard',
+        run: () => void discard(),
+      });
+      return true;
+    } catch (error) {
+      this.#letGo();
+      toastError('The last document could not be recovered', error);
+      return false;
+    }
+  }
+
+  async #offerEarlierWork(address: string): Promise<void> {
+    const earlier = (await this.#storage?.list().catch(() => []))?.find((kept) => kept.address === address);
+    if (!earlier) return;
+    toast('info', `You have changed this scene before`, `“${earlier.name}”, ${timeText(earlier.modified)}.`, {
+      label: 'Open that',
+      run: () => void this.openKept(earlier),
+    });
+  }
+
+  async #openStored(storage: KeptDocuments, kept: KeptDocument): Promise<void> {
+    const document = await storage.load(kept);
+    const [last] = await storage.versions(kept.id);
+    this.#state.select(null);
+    this.#store.open(document);
+    this.#autosave.opened(document, kept, kept.address, last?.time);
+    this.#remember();
+  }
+
+  /**
+   * Opens a document in place of the present one; false when the person would rather not lose that. The
+   * address is what, behind the page's own, opens the same again; null if nothing does.
+   */
+  async replace(document: Document, address: string | null): Promise<boolean> {
+    const leave = await this.#leave();
+    if (!leave) return false;
+    this.#state.select(null);
+    this.#store.open(document);
+    history.replaceState(null, '', `./${address ?? ''}`);
+    this.#autosave.opened(document, null, address);
+    this.#remember();
+    leave();
+    return true;
+  }
+
+  /** Opens a kept document; one that another tab has open is opened as a copy. */
+  async openKept(kept: KeptDocument): Promise<boolean> {
+    const storage = this.#storage;
+    if (!storage || kept.id === this.kept?.id) return false;
+    try {
+      const release = await hold(kept.id);
+      if (!release) {
+        const document = await storage.load(kept);
+        const opened = await this.replace({ ...document, name: `${document.name.slice(0, 195)} copy` }, null);
+        if (opened) toast('info', `“${kept.name}” is open in another tab`, 'This is a copy of it.');
+        return opened;
+      }
+      const leave = await this.#leave();
+      if (!leave) {
+        release();
+        return false;
+      }
+      this.#release = release;
+      await this.#openStored(storage, kept);
+      history.replaceState(null, '', './');
+      this.#remember();
+      leave();
+      return true;
+    } catch (error) {
+      toastError(`“${kept.name}” could not be opened`, error);
+      return false;
+    }
+  }
+
+  /** One undo step of the open document. */
+  async restore(version: Version): Promise<void> {
+    if (!this.#storage) return;
+    const document = await this.#storage.loadVersion(version);
+    const label = `Restore ${version.name ?? `the version of ${timeText(version.time)}`}`;
+    this.#store.edit(label, (draft) => {
+      Object.assign(draft, document);
+    });
+  }
+
+  /** Out of the list, with an offer to undo. What is open makes way for what `next` opens. */
+  async delete(kept: KeptDocument, next: () => Promise<unknown>): Promise<void> {
+    const storage = this.#storage;
+    if (!storage) return;
+    const open = kept.id === this.kept?.id;
+    if (open) await this.#autosave.flush();
+    await storage.setDeleted(kept, true);
+    if (open) {
+      this.#letGo();
+      this.#autosave.opened(this.#store.document, null, '');
+      await next();
+    }
+    const purge = window.setTimeout(() => void storage.purge(kept.id).catch(() => {}), OFFER_LIFE_MS);
+    const undo = async () => {
+      clearTimeout(purge);
+      await storage.setDeleted(kept, false);
+      const again = await storage.find(kept.id);
+      if (open && again) await this.openKept(again);
+      for (const listener of [...this.#listeners]) listener(this.keepState);
+    };
+    toast('info', `Deleted “${kept.name}”`, undefined, { label: 'Undo', run: () => void undo() });
+  }
+
+  /** After a loss that only a new page cures: it opens with the same document. */
+  async reload(): Promise<void> {
+    await this.#autosave.flush();
+    this.#remember();
+    location.reload();
+  }
+
+  /** Makes sure that nothing is lost with the present document; returns what to do once it has been left. */
+  async #leave(): Promise<(() => void) | null> {
+    await this.flush();
+    const { kept } = this;
+    if (this.#unsaved.value && this.keepState.kind !== 'kept') {
+      const sure = await confirm(
+        `Leave “${this.#store.document.name}”?`,
+        'It has changes that are not saved. Save first if you want to keep them.',
+        'Discard changes',
+      );
+      if (!sure) return null;
+    }
+    this.#letGo();
+    if (!kept) return () => {};
+    return () =>
+      toast('info', `“${kept.name}” is kept`, 'It is under File, Documents.', {
+        label: 'Back to it',
+        run: () => void this.openKept(kept),
+      });
+  }
+
+  #letGo(): void {
+    this.#release?.();
+    this.#release = null;
+  }
+
+  async #hold(id: string): Promise<boolean> {
+    const release = await hold(id);
+    if (release) this.#release = release;
+    this.#remember();
+    return release !== null;
+  }
+
+  #remember(): void {
+    writeSession({
+      address: location.search + location.hash,
+      document: this.kept?.id ?? null,
+      selection: this.#state.value.selection,
+    });
+  }
+
+  #onState(keepState: KeepState): void {
+    for (const listener of [...this.#listeners]) listener(keepState);
+    if (keepState.kind === 'kept') {
+      this.#warned = false;
+      this.#thumbnails.later(this.#storage, this.kept);
+    }
+    if (keepState.kind !== 'failed' || this.#warned) return;
+    this.#warned = true;
+    toast('error', 'This document is not being kept', explainFailure(keepState.error));
+  }
+}
+
+/** `at 10:32`, or `on 12 May, 10:32`. */
+export function timeText(time: number): string {
+  const date = new Date(time);
+  const clock = date.toLocaleTimeString([], { hour: '2-digit', minute: '2-digit' });
+  if (date.toDateString() === new Date().toDateString()) return `at ${clock}`;
+  return `on ${date.toLocaleDateString([], { day: 'numeric', month: 'short' })}, ${clock}`;
+}
