@@ -2,8 +2,86 @@
 import { z } from 'zod';
 import { boolean, choice, integer, number, withDefaults } from './fields.ts';
 
+/** Of the two effects that trace rays through the picture. Both trace the same ones: the more demanding settings count. */
+const tracingShape = {
+  rays: integer('Rays for each pixel and frame; more is smoother while things move', {
+    range: [1, 64],
+    slider: [1, 16],
+  }),
+  steps: integer('Places that are looked at along a ray; more finds smaller things', {
+    range: [4, 256],
+    slider: [8, 64],
+  }),
+  thickness: number('How far things go on behind what the camera sees of them', {
+    range: [0.001, 1e4],
+    unit: 'm',
+    slider: [0.05, 5],
+    step: 0.01,
+  }),
+  halfResolution: boolean('Traced at half the width and height: a quarter of the cost, slightly softer'),
+  denoise: boolean('Frames are gathered over time and neighbours share what they find'),
+};
+
 /** The fields of each effect, in the order in which the inspector shows them. */
 export const effectShapes = {
+  ambientOcclusion: {
+    enabled: boolean('Light from everywhere is weaker in corners and under things, where it cannot reach'),
+    radius: number('What is farther away than this keeps no light off', {
+      range: [0.001, 1e4],
+      unit: 'm',
+      slider: [0.05, 5],
+      step: 0.01,
+    }),
+    thickness: number('How far things go on behind what the camera sees of them', {
+      range: [0.001, 1e4],
+      unit: 'm',
+      slider: [0.05, 5],
+      step: 0.01,
+    }),
+    bounces: boolean('Light that bounces in a corner tints it: bright colours lose less than dark ones'),
+    directions: integer('Directions on the screen in which a pixel looks; more is smoother', {
+      range: [1, 16],
+      slider: [1, 8],
+    }),
+    steps: integer('Places that a pixel looks at each way; more finds smaller things', {
+      range: [1, 64],
+      slider: [2, 16],
+    }),
+    halfResolution: boolean('Computed at half the width and height: a quarter of the cost, slightly softer'),
+  },
+  contactShadows: {
+    enabled: boolean(
+      'Short shadows where things touch, found in the picture itself; too fine for shadow maps',
+    ),
+    length: number('How far towards the light a pixel looks', {
+      range: [0.001, 100],
+      unit: 'm',
+      slider: [0.01, 0.5],
+      step: 0.01,
+    }),
+    thickness: number('How far things go on behind what the camera sees of them', {
+      range: [0.001, 100],
+      unit: 'm',
+      slider: [0.01, 0.5],
+      step: 0.01,
+    }),
+    steps: integer('Places on the way that are looked at; more finds finer things', {
+      range: [2, 64],
+      slider: [4, 32],
+    }),
+  },
+  reflections: {
+    enabled: boolean(
+      'Glossy surfaces reflect what the picture shows; where it shows nothing, the environment',
+    ),
+    ...tracingShape,
+  },
+  indirectLight: {
+    enabled: boolean(
+      'Surfaces light each other: light that bounces between what the picture shows, and colours that it takes along',
+    ),
+    ...tracingShape,
+  },
   antialiasing: {
     method: choice(
       'Against jagged edges: four samples a pixel (MSAA); frames gathered over time, the best when nothing moves; edges of the finished picture found and smoothed, carefully (SMAA) or quickly (FXAA)',
@@ -55,6 +133,10 @@ export const effectShapes = {
 } as const;
 
 export const effectSchemas = {
+  ambientOcclusion: z.strictObject(effectShapes.ambientOcclusion),
+  contactShadows: z.strictObject(effectShapes.contactShadows),
+  reflections: z.strictObject(effectShapes.reflections),
+  indirectLight: z.strictObject(effectShapes.indirectLight),
   antialiasing: z.strictObject(effectShapes.antialiasing),
   depthOfField: z.strictObject(effectShapes.depthOfField),
   motionBlur: z.strictObject(effectShapes.motionBlur),
@@ -69,6 +151,18 @@ export const effectsSchema = z.strictObject(effectSchemas);
 export type Effects = z.output<typeof effectsSchema>;
 
 export const effectsDefaults: Readonly<Effects> = {
+  ambientOcclusion: {
+    enabled: false,
+    radius: 1,
+    thickness: 1,
+    bounces: true,
+    directions: 3,
+    steps: 6,
+    halfResolution: true,
+  },
+  contactShadows: { enabled: false, length: 0.1, thickness: 0.1, steps: 12 },
+  reflections: { enabled: false, rays: 4, steps: 32, thickness: 0.5, halfResolution: true, denoise: true },
+  indirectLight: { enabled: false, rays: 4, steps: 32, thickness: 0.5, halfResolution: true, denoise: true },
   antialiasing: { method: 'msaa' },
   depthOfField: { enabled: false, samples: 48 },
   motionBlur: { enabled: false, samples: 16 },
@@ -78,6 +172,10 @@ export const effectsDefaults: Readonly<Effects> = {
 
 export const effectsFileSchema = withDefaults(
   {
+    ambientOcclusion: withDefaults(effectShapes.ambientOcclusion, effectsDefaults.ambientOcclusion),
+    contactShadows: withDefaults(effectShapes.contactShadows, effectsDefaults.contactShadows),
+    reflections: withDefaults(effectShapes.reflections, effectsDefaults.reflections),
+    indirectLight: withDefaults(effectShapes.indirectLight, effectsDefaults.indirectLight),
     antialiasing: withDefaults(effectShapes.antialiasing, effectsDefaults.antialiasing),
     depthOfField: withDefaults(effectShapes.depthOfField, effectsDefaults.depthOfField),
     motionBlur: withDefaults(effectShapes.motionBlur, effectsDefaults.motionBlur),
