@@ -3,13 +3,22 @@
 // D = (a^2 - 1) / (pi log(a^2) (1 + (a^2 - 1) (n.h)^2)).
 ::include lib/constants.glsl
 
-// D(h)/divisor in one division. h is a unit vector in the local frame; 0 < alpha < 1.
+// Its two factors, D(h) = GTR1_scale / GTR1_shape: one depends on the surface alone. h is a unit vector in the
+// local frame; 0 < alpha < 1.
+float GTR1_scale(float alpha) {
+    float a2 = alpha * alpha;
+    return (a2 - 1.0) / (PI * log(a2));
+}
+
 // 1 + (a^2 - 1)(n.h)^2 is written as sin^2 + a^2 cos^2: the textbook's form loses all its digits
 // in float32 where alpha is small.
+float GTR1_shape(vec3 h, float alpha) {
+    return dot(h.xy, h.xy) + alpha * alpha * h.z * h.z;
+}
+
+// D(h)/divisor in one division beside the scale's.
 float D_GTR1(vec3 h, float alpha, float divisor) {
-    float a2 = alpha * alpha;
-    float t = dot(h.xy, h.xy) + a2 * h.z * h.z;
-    return (a2 - 1.0) / (PI * log(a2) * t * divisor);
+    return GTR1_scale(alpha) / (GTR1_shape(h, alpha) * divisor);
 }
 
 // The divisor of Smith's masking for an isotropic GGX surface of roughness alpha, as in gtr2.glsl.

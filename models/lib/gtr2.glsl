@@ -9,9 +9,9 @@
 // here with numerator and denominator times (ax ay)^4, so that nothing is divided by alpha.
 float D_GTR2(vec3 h, vec2 alpha, float divisor) {
     float area = alpha.x * alpha.y;
-    vec3 s = h * vec3(alpha.y, alpha.x, area);
+    vec3 s = vec3(h.xy * alpha.yx, h.z * area);
     float t = dot(s, s);
-    return area * area * area / (PI * t * t * divisor);
+    return (area * area * area * INV_PI) / (t * t * divisor);
 }
 
 // The divisor of Smith's masking for this surface: G1(w) = 2 (n.w) / G_SmithGTR2(w), so that

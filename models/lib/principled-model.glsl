@@ -46,7 +46,7 @@ float reflection(vec3 l, vec3 v, vec3 h) {
 }
 
 float coat(vec3 l, vec3 v, vec3 h, float weightH) {
-    return CLEARCOAT_STRENGTH * clearcoat * clearcoatReflectance(l, v, h, weightH, clearcoatGloss);
+    return clearcoatReflectance(CLEARCOAT_STRENGTH * clearcoat, l, v, h, weightH, clearcoatGloss);
 }
 
 bool belowHorizon(vec3 l, vec3 v) {

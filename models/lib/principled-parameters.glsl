@@ -25,9 +25,10 @@ const float CLEARCOAT_R0 = 0.04;
 // The most that the clearcoat weighs.
 const float CLEARCOAT_STRENGTH = 0.25;
 
-// The clearcoat's D F G/(4 (n.l) (n.v)) at strength 1, from local directions.
-float clearcoatReflectance(vec3 l, vec3 v, vec3 h, float weightH, float gloss) {
+// The clearcoat's D F G/(4 (n.l) (n.v)) times its strength, from local directions.
+float clearcoatReflectance(float strength, vec3 l, vec3 v, vec3 h, float weightH, float gloss) {
     float divisor = G_SmithIsotropic(l.z, CLEARCOAT_MASKING_ALPHA)
         * G_SmithIsotropic(v.z, CLEARCOAT_MASKING_ALPHA);
-    return F_Schlick(CLEARCOAT_R0, weightH) * D_GTR1(h, clearcoatAlpha(gloss), divisor);
+    float alpha = clearcoatAlpha(gloss);
+    return strength * GTR1_scale(alpha) * (F_Schlick(CLEARCOAT_R0, weightH) / (GTR1_shape(h, alpha) * divisor));
 }

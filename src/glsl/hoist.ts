@@ -46,6 +46,8 @@ class Splitter {
   private readonly derived: Derived[] = [];
   private readonly varying = new Set<Variable>();
   private readonly shared = new Map<Variable, Variable>();
+  /** What stands for local variables that are constant, or cheap to compute from a parameter. */
+  private readonly replaced = new Map<Variable, Expr>();
   /** Shared variables by the text of their expression, so that each is computed once. */
   private readonly known = new Map<string, Variable>();
   private nextId = 2_000_000;
@@ -128,6 +130,14 @@ class Splitter {
       switch (s.kind) {
         case 'declare': {
           const init = s.init && this.rename(s.init);
+          if (
+            init &&
+            !s.variable.assigned &&
+            (isArithmetic(init) || (this.isDerivable(init) && isCheap(init)))
+          ) {
+            this.replaced.set(s.variable, init);
+            return [];
+          }
           if (init && !s.variable.assigned && this.isInvariant(init)) {
             this.shared.set(s.variable, this.settle(init, guards, s.variable));
             return [];
@@ -175,6 +185,8 @@ class Splitter {
 
   private rename(e: Expr): Expr {
     if (e.kind !== 'variable') return mapChildren(e, (child) => this.rename(child));
+    const replaced = this.replaced.get(e.variable);
+    if (replaced) return replaced;
     const shared = this.shared.get(e.variable);
     return shared ? { ...e, variable: shared } : e;
   }
@@ -209,7 +221,8 @@ class Splitter {
 
   private share(init: Expr, guards: Guards, like?: Variable): Variable {
     if (isUniform(init)) return this.keep(init, guards, like);
-    if (this.isDerivable(init)) return this.keep(this.read(this.derive(init, like), init), guards, like);
+    if (this.isDerivable(init) && !isCheap(init))
+      return this.keep(this.read(this.derive(init, like), init), guards, like);
     return this.keep(this.deriveWithin(init), guards, like);
   }
 
@@ -266,7 +279,8 @@ class Splitter {
   /** Replaces the largest parts that depend on parameters alone. */
   private deriveWithin(e: Expr): Expr {
     if (isUniform(e)) return e;
-    if (!isWorthwhile(e) || !this.isDerivable(e)) return mapChildren(e, (child) => this.deriveWithin(child));
+    if (!isWorthwhile(e) || !this.isDerivable(e) || isCheap(e))
+      return mapChildren(e, (child) => this.deriveWithin(child));
     return this.read(this.derive(e), e);
   }
 
@@ -300,12 +314,38 @@ function isUniform(e: Expr): boolean {
   return e.kind === 'variable' && (e.variable.role === 'parameter' || e.variable.role === 'derived');
 }
 
+/** Whether an operation on numbers that are at hand costs less than another uniform: those are checked when they are read. */
+function isCheap(e: Expr): boolean {
+  const atHand = (child: Expr): boolean =>
+    isUniform(child) || isArithmetic(child) || (child.kind === 'swizzle' && isUniform(child.object));
+  if (e.kind === 'binary') return e.operator !== '/' && atHand(e.left) && atHand(e.right);
+  if (e.kind === 'unary') return atHand(e.operand);
+  return e.kind === 'swizzle' && atHand(e);
+}
+
+/** Whether this is literals and operators on them, which a compiler of shaders folds. */
+function isArithmetic(e: Expr): boolean {
+  if (e.kind === 'literal') return true;
+  return (
+    (e.kind === 'binary' && isArithmetic(e.left) && isArithmetic(e.right)) ||
+    (e.kind === 'unary' && isArithmetic(e.operand))
+  );
+}
+
 /** Whether computing this costs more than reading a variable. */
 function isWorthwhile(e: Expr): boolean {
-  if (e.constant || e.type.kind === 'void' || e.type.kind === 'struct' || e.type.kind === 'array')
+  if (
+    e.constant ||
+    isArithmetic(e) ||
+    e.type.kind === 'void' ||
+    e.type.kind === 'struct' ||
+    e.type.kind === 'array'
+  )
     return false;
   // A parameter is a uniform: reading one anew for each light costs a bounds check each time.
   if (e.kind === 'variable') return isUniform(e) && e.type !== TABLE;
+  // The whole vector is at hand where one of its components is.
+  if (e.kind === 'swizzle' && isUniform(e.object)) return false;
   if (e.kind === 'swizzle' || e.kind === 'construct')
     return (e.kind === 'swizzle' ? [e.object] : e.args).some(isWorthwhile);
   return true;
