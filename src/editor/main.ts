@@ -5,6 +5,7 @@ import { addLight, addObject } from '../scene/commands.ts';
 import { createDocument } from '../scene/document.ts';
 import { SceneMirror } from '../scene/mirror.ts';
 import { pageAssets } from '../scene/page-assets.ts';
+import type { Document } from '../scene/schema.ts';
 import { DocumentStore } from '../scene/store.ts';
 import {
   deleteSelected,
@@ -28,6 +29,7 @@ import { createStatus } from './panels/status/status.ts';
 import { createTopbar } from './panels/topbar/topbar.ts';
 import { loadScene, shippedScenes } from './scenes.ts';
 import type { Session } from './session.ts';
+import { documentOfLink, isLink } from './share/link.ts';
 import { installShortcuts } from './shortcuts.ts';
 import { EditorStateStore, renderings } from './state.ts';
 import { recoverFromLoss } from './storage/device-loss.ts';
@@ -80,6 +82,7 @@ const session: Session = {
   state,
   workspace,
   newScene,
+  save,
   openFiles: (files) =>
     openFiles({ store, state, assets, replaceDocument: (next) => workspace.replace(next, null) }, files),
   chooseFiles,
@@ -97,7 +100,6 @@ const view = h('main', { class: 'viewport' }, canvas, loading);
 document.getElementById('app')?.replaceChildren(
   createTopbar(session, {
     open,
-    save,
     saveAs,
     openShipped,
     screenshot,
@@ -137,10 +139,28 @@ installShortcuts([
   { key: 'escape', run: () => state.select(null) },
 ]);
 
+window.addEventListener('hashchange', () => void openLink());
+
 window.irradia = { store, mirror, renderer: null, viewport: null, ready: start() };
 window.irradia.ready.catch(() => {
   // start() has told the person; this keeps the browser from telling it again.
 });
+
+/** What the page's address says: a document in its fragment, a scene by its name, or the first one. */
+function addressedDocument(): Promise<Document> {
+  if (isLink(location.hash)) return documentOfLink(location.hash);
+  return loadScene(new URLSearchParams(location.search).get('scene') ?? undefined);
+}
+
+/** A link that is pasted into the address bar of a page that is open loads no new page. */
+async function openLink(): Promise<void> {
+  if (!isLink(location.hash)) return;
+  try {
+    await workspace.replace(await documentOfLink(location.hash), location.hash);
+  } catch (error) {
+    toastError('The link was not opened; the scene is unchanged', error);
+  }
+}
 
 async function start(): Promise<void> {
   const [renderer] = await Promise.allSettled([
@@ -148,7 +168,7 @@ async function start(): Promise<void> {
       canvas,
       onError: (message) => recoverFromLoss(workspace, message),
     }),
-    workspace.start(() => loadScene(new URLSearchParams(location.search).get('scene') ?? undefined)),
+    workspace.start(addressedDocument),
   ]);
   mirror.apply(store.document);
   if (renderer.status === 'rejected') {

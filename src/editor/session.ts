@@ -10,6 +10,8 @@ export interface Session {
   readonly workspace: Workspace;
   /** Something to look at, and light to see it by, in place of the present scene. */
   newScene(): void;
+  /** Into a file of the person's own. */
+  save(): void;
   /** Opens the name of what is selected for typing. */
   renameSelected(): void;
   /** Turns the camera to what is selected, or to everything. */

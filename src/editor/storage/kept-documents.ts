@@ -42,6 +42,7 @@ export const MOST_AUTOMATIC_VERSIONS = 20;
 const LEAST_TO_MERGE = 64 * 1024;
 /** Deleted documents are purged by the next page, once nobody can still be looking at the offer to undo. */
 const UNDO_MS = 60_000;
+const LONGEST_ADDRESS = 300;
 
 export class KeptDocuments {
   readonly #database: IDBDatabase;
@@ -253,7 +254,8 @@ export function newlyKept(document: Document, address: string | null): KeptDocum
     changesSize: 0,
     changes: 0,
     assetsSize: 0,
-    address,
+    // A link is as long as its document, and would be written with every change.
+    address: address !== null && address.length <= LONGEST_ADDRESS ? address : null,
   };
 }
 

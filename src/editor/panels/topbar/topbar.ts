@@ -6,6 +6,7 @@ import { lightDefaults, lightTypes } from '../../../scene/light-schema.ts';
 import { addMaterial } from '../../../scene/material-commands.ts';
 import { attempt, toggleBench, toggleHelpers } from '../../commands.ts';
 import type { Session } from '../../session.ts';
+import { openShare } from '../../share/share.ts';
 import { h } from '../../ui/dom.ts';
 import { type IconName, icon, isIcon } from '../../ui/icons.ts';
 import { type MenuEntry, menuButton, openMenu } from '../../ui/menu.ts';
@@ -16,7 +17,6 @@ import { createTermSelect } from './term-select.ts';
 
 export interface TopbarActions {
   open(): void;
-  save(): void;
   saveAs(): void;
   openShipped(name: string): void;
   screenshot(): void;
@@ -120,8 +120,14 @@ function fileEntries(session: Session, actions: TopbarActions): MenuEntry[] {
       tip: 'What this browser keeps: other documents, and versions of this one',
       run: () => openDocuments(session),
     },
-    { label: 'Save', icon: 'save', shortcut: 'Ctrl+S', run: actions.save },
+    { label: 'Save', icon: 'save', shortcut: 'Ctrl+S', run: session.save },
     { label: 'Save as…', shortcut: 'Ctrl+Shift+S', run: actions.saveAs },
+    {
+      label: 'Share as a link…',
+      icon: 'link',
+      tip: 'The link carries the whole document; nothing is uploaded',
+      run: () => openShare(session),
+    },
     screenshotEntry(actions),
     ...actions.tracedPictures(),
     'separator',

@@ -1,0 +1,22 @@
+/** What makes a document large, for whoever wants to send a small one. */
+import type { Document } from '../../scene/schema.ts';
+
+export interface Part {
+  readonly name: string;
+  /** Bytes, before any packing. */
+  readonly size: number;
+}
+
+/** The largest first. */
+export function largestParts(document: Document, most: number): Part[] {
+  const parts: Part[] = [];
+  for (const asset of Object.values(document.assets))
+    parts.push({ name: asset.name, size: (asset.data.length / 4) * 3 });
+  for (const [name, model] of Object.entries(document.models))
+    if ('source' in model) parts.push({ name: `the model ${name}`, size: model.source.length });
+  for (const name of ['objects', 'materials', 'lights'] as const) {
+    const count = Object.keys(document[name]).length;
+    parts.push({ name: `${count} ${name}`, size: JSON.stringify(document[name]).length });
+  }
+  return parts.toSorted((a, b) => b.size - a.size).slice(0, most);
+}
