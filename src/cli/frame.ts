@@ -43,7 +43,13 @@ export async function openFrames(document: Document, options: FrameOptions): Pro
     device: node.gpu.adapter.info.description,
     async draw(camera, attributes) {
       mirror.apply({ ...document, camera });
-      renderer.render(mirror, { ...shown, camera }, options);
+      const settings = { ...shown, camera };
+      // Each picture is one of its own, and is taken when it has become as good as it will.
+      renderer.cut();
+      let frames = 0;
+      do renderer.render(mirror, settings, options);
+      while (renderer.unsettled && ++frames < MOST_FRAMES);
+      await renderer.settleExposure(view);
       if (format === 'png') return encodePng(await renderer.readImage(view), width, height, attributes);
       return encodeExr({ ...exrImage(await renderer.readRadiance()), attributes });
     },
@@ -53,6 +59,9 @@ export async function openFrames(document: Document, options: FrameOptions): Pro
     },
   };
 }
+
+/** Frames that a picture gathers at most. */
+const MOST_FRAMES = 64;
 
 /** Samples per pixel along each side for floats, which GPUs do not multisample. */
 const SUPERSAMPLING = 2;

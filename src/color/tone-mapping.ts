@@ -2,7 +2,9 @@
  * From linear radiance to the sRGB values of a screen, on the CPU: exposure, tone mapping, encoding. The numbers are
  * three.js's, which the interactive renderer's output pass uses; a test holds the two together.
  */
+import { ZONE_COLORS, zoneIndex } from './false-color.ts';
 import { type Matrix3, type Triple, transform } from './matrix.ts';
+import { luminance } from './rec709.ts';
 
 export const TONE_MAPPINGS = ['none', 'aces', 'agx', 'neutral'] as const;
 export type ToneMapping = (typeof TONE_MAPPINGS)[number];
@@ -11,10 +13,14 @@ export interface Display {
   /** In EV: the radiance is multiplied by 2 to this power. */
   readonly exposure: number;
   readonly toneMapping: ToneMapping;
+  /** Shows luminance in false colours instead. */
+  readonly falseColor?: boolean;
 }
 
 /** RGBA bytes in sRGB, opaque. @param radiance linear RGB */
-export function displayPixels(radiance: Float32Array, { exposure, toneMapping }: Display): Uint8ClampedArray {
+export function displayPixels(radiance: Float32Array, display: Display): Uint8ClampedArray {
+  const { exposure, toneMapping, falseColor } = display;
+  if (falseColor) return falseColorPixels(radiance, exposure);
   const scale = 2 ** exposure;
   const map = MAPPINGS[toneMapping];
   const pixels = new Uint8ClampedArray((radiance.length / 3) * 4).fill(255);
@@ -27,6 +33,15 @@ export function displayPixels(radiance: Float32Array, { exposure, toneMapping }:
     pixels[4 * i] = 255 * encode(r);
     pixels[4 * i + 1] = 255 * encode(g);
     pixels[4 * i + 2] = 255 * encode(b);
+  }
+  return pixels;
+}
+
+function falseColorPixels(radiance: Float32Array, exposure: number): Uint8ClampedArray {
+  const pixels = new Uint8ClampedArray((radiance.length / 3) * 4).fill(255);
+  for (let i = 0; i < radiance.length / 3; i++) {
+    const nits = luminance([radiance[3 * i]!, radiance[3 * i + 1]!, radiance[3 * i + 2]!]);
+    pixels.set(ZONE_COLORS[zoneIndex(nits, exposure)]!, 4 * i);
   }
   return pixels;
 }

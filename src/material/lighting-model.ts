@@ -1,9 +1,11 @@
-import { cross, dot, If, positionView, uniform, vec2, vec3 } from 'three/tsl';
+import { cross, dot, float, If, positionView, vec2, vec3 } from 'three/tsl';
 import { type Light, LightingModel, type Node, type NodeBuilder } from 'three/webgpu';
 import type { Model } from '../glsl/model.ts';
 import { modelFunctionByLight, type ParameterNodes, type SplitCall } from '../glsl/tsl.ts';
-import { AlbedoNode } from './albedo-table.ts';
 import type { EnvironmentLightNode } from './environment-light.ts';
+import { type FragmentData, fragmentData } from './fragment-data.ts';
+import { frameContext } from './frame-context.ts';
+import { lightFromEverywhere } from './light-from-everywhere.ts';
 import { nonNegative } from './non-negative.ts';
 import { createSampler, latticePoint, type Sampler } from './sampler.ts';
 import { type ShadingFrame, shadingFrame } from './shading-frame.ts';
@@ -15,13 +17,6 @@ type Float = Node<'float'>;
 interface Assignable {
   addAssign(value: Node): void;
 }
-
-/** Directions per fragment for the environment, unless `scene.userData.environmentSamples` says another. */
-const DEFAULT_ENVIRONMENT_SAMPLES = 32;
-const environmentSamples = uniform(DEFAULT_ENVIRONMENT_SAMPLES).onRenderUpdate(({ scene }) => {
-  const samples: unknown = scene?.userData.environmentSamples;
-  return typeof samples === 'number' ? samples : DEFAULT_ENVIRONMENT_SAMPLES;
-}) as unknown as Float;
 
 /** Samples on a rectangle, and directions drawn from the model. */
 const RECTANGLE_POINTS = 48;
@@ -48,6 +43,7 @@ export class BrdfLightingModel extends LightingModel {
   private readonly brdf: SplitCall;
   private readonly sampler: Sampler;
   private frame: ShadingFrame | null = null;
+  private data: FragmentData | null = null;
 
   constructor(options: LightingOptions) {
     super();
@@ -59,6 +55,8 @@ export class BrdfLightingModel extends LightingModel {
   override start(builder: NodeBuilder): void {
     this.frame = shadingFrame(builder, this.options.model);
     const { V, N, X, Y } = this.frame;
+    this.data = fragmentData(builder);
+    if (this.data) Object.assign(this.data, { frame: this.frame, lights: float(0).toVar() });
     run(this.brdf.perView(V, N, X, Y));
     // Lights add to these inside branches: they must be declared, and 0, before the first of them.
     const { reflectedLight } = builder.context as unknown as {
@@ -67,6 +65,11 @@ export class BrdfLightingModel extends LightingModel {
     reflectedLight.directSpecular.assign(vec3(0));
     reflectedLight.indirectSpecular.assign(vec3(0));
     super.start(builder);
+  }
+
+  /** One more lamp reaches the fragment. */
+  private count(): void {
+    (this.data?.lights as Assignable | null | undefined)?.addAssign(float(1));
   }
 
   private f(L: Vec3): Vec3 {
@@ -88,6 +91,7 @@ export class BrdfLightingModel extends LightingModel {
     // Most fragments face away from most lights, or are outside a spot's cone.
     If(cosine.mul(E.x.add(E.y).add(E.z)).greaterThan(0), () => {
       reflectedLight.directSpecular.addAssign(this.f(L).mul(E).mul(cosine));
+      this.count();
     });
   }
 
@@ -156,15 +160,12 @@ export class BrdfLightingModel extends LightingModel {
       });
     });
     reflectedLight.directSpecular.addAssign(sum.mul(lightColor));
+    If(sum.x.add(sum.y).add(sum.z).greaterThan(0), () => this.count());
   }
 
   /**
    * Ambient light and the environment. three.js gives ambient and hemisphere lights as irradiance E: the
    * constant radiance E/pi, of which the surface reflects its directional albedo R(v).
-   *
-   * The environment is gathered by filtered importance sampling. Its samples are normalised by their own
-   * weights and R(v) from the table: a constant environment then comes out exact, whatever the number of
-   * samples, and any other with less noise.
    */
   override indirect(builder: NodeBuilder): void {
     const { irradiance, ambientOcclusion, reflectedLight } = builder.context as unknown as {
@@ -173,51 +174,15 @@ export class BrdfLightingModel extends LightingModel {
       reflectedLight: { indirectSpecular: Assignable };
     };
     const { environment, hasTable } = this.options;
-    if (!environment && !hasAmbient(builder)) return;
-    const { V, N } = this.frame as ShadingFrame;
-    const ambient = irradiance.mul(1 / Math.PI);
-    if (hasTable) {
-      const albedo = new AlbedoNode(dot(N, V) as Float) as unknown as Vec3;
-      const radiance = environment ? ambient.add(this.gather(environment, null)) : ambient;
-      reflectedLight.indirectSpecular.addAssign(albedo.mul(radiance).mul(ambientOcclusion));
-      return;
-    }
-    reflectedLight.indirectSpecular.addAssign(
-      this.gather(environment, ambient as Vec3).mul(ambientOcclusion),
+    const isAmbient = hasAmbient(builder);
+    if (!environment && !isAmbient) return;
+    const reflected = lightFromEverywhere(
+      { frame: this.frame as ShadingFrame, sampler: this.sampler, hasTable, f: (L) => this.f(L) },
+      environment,
+      isAmbient ? (irradiance.mul(1 / Math.PI) as Vec3) : null,
+      frameContext(builder),
     );
-  }
-
-  /**
-   * With no `ambient`, the mean of the environment's radiance as the model weighs it. With one, the
-   * reflected radiance of the environment and it.
-   */
-  private gather(environment: EnvironmentLightNode | null, ambient: Vec3 | null): Vec3 {
-    const samples = environmentSamples;
-    const { V, N, X, Y } = this.frame as ShadingFrame;
-    const { sampleL, pdf } = this.sampler;
-    this.sampler.start(V, N, X, Y);
-    const sum = vec3(0).toVar();
-    const weights = vec3(0).toVar();
-    repeat(samples, (i) => {
-      const u = latticePoint(i, samples);
-      const L = sampleL(vec2(u.x, u.y) as unknown as Node<'vec2'>, V, N, X, Y).toVar() as Vec3;
-      const cosine = dot(N, L).toVar();
-      If(cosine.greaterThan(0), () => {
-        const density = pdf(L, V, N, X, Y).toVar();
-        If(density.greaterThan(0), () => {
-          const weight = this.f(L).mul(cosine.div(density)).toVar() as Vec3;
-          const fromEnvironment = environment?.radiance(L, density.mul(samples) as Float);
-          const radiance = ambient
-            ? fromEnvironment
-              ? fromEnvironment.add(ambient)
-              : ambient
-            : fromEnvironment;
-          if (radiance) sum.addAssign(weight.mul(radiance));
-          weights.addAssign(weight);
-        });
-      });
-    });
-    return (ambient ? sum.div(samples) : sum.div(weights.max(1e-9))) as unknown as Vec3;
+    reflectedLight.indirectSpecular.addAssign(reflected.mul(ambientOcclusion));
   }
 }
 

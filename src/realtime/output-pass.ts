@@ -1,25 +1,14 @@
-import { renderOutput, select, texture, uniform, uv, vec4 } from 'three/tsl';
+import { select, texture, uniform, uv } from 'three/tsl';
 import {
-  ACESFilmicToneMapping,
-  AgXToneMapping,
-  NeutralToneMapping,
+  type Node,
   NodeMaterial,
-  NoToneMapping,
   QuadMesh,
-  SRGBColorSpace,
   type Texture,
   type TextureNode,
-  type ToneMapping,
   type WebGPURenderer,
 } from 'three/webgpu';
 import type { View } from '../scene/schema.ts';
-
-const TONE_MAPPINGS: Readonly<Record<View['toneMapping'], ToneMapping>> = {
-  none: NoToneMapping,
-  aces: ACESFilmicToneMapping,
-  agx: AgXToneMapping,
-  neutral: NeutralToneMapping,
-};
+import { displayNode, showsLight } from './display.ts';
 
 /** Linear radiance from elsewhere, such as a path traced picture, for the right part of the frame. */
 export interface Companion {
@@ -28,9 +17,19 @@ export interface Companion {
   readonly from: number;
 }
 
+export interface Display {
+  /** In EV: the radiance is multiplied by 2 to this power. */
+  readonly exposure: number;
+  readonly toneMapping: View['toneMapping'];
+  readonly show?: View['show'];
+  /** In metres, that is half grey where distances are shown. */
+  readonly distance?: number;
+}
+
 /** From linear radiance to the sRGB values of a screen: exposure, tone mapping, encoding. */
 export class OutputPass {
   readonly #exposure = uniform(1);
+  readonly #distance = uniform(1);
   readonly #from = uniform(0);
   readonly #quads = new Map<string, QuadMesh>();
   readonly #radiance: TextureNode<'vec4'>;
@@ -43,34 +42,43 @@ export class OutputPass {
   render(
     renderer: WebGPURenderer,
     radiance: Texture,
-    { exposure, toneMapping }: Pick<View, 'exposure' | 'toneMapping'>,
+    { exposure, toneMapping, show = 'picture', distance = 1 }: Display,
     companion: Companion | null = null,
   ): void {
     this.#radiance.value = radiance;
     this.#exposure.value = 2 ** exposure;
-    if (companion !== null) {
+    this.#distance.value = distance;
+    const hasCompanion = companion !== null && showsLight(show);
+    if (hasCompanion) {
       this.#companion ??= texture(companion.radiance);
       this.#companion.value = companion.radiance;
       this.#from.value = companion.from;
     }
-    this.#quad(toneMapping, companion === null ? null : this.#companion).render(renderer);
+    this.#quad(show, toneMapping, hasCompanion ? this.#companion : null).render(renderer);
   }
 
   dispose(): void {
     for (const { material } of this.#quads.values()) (material as NodeMaterial).dispose();
   }
 
-  /** One for each tone mapping that was asked for, so that going back to one compiles nothing. */
-  #quad(toneMapping: View['toneMapping'], companion: TextureNode<'vec4'> | null): QuadMesh {
-    const key = companion === null ? toneMapping : `${toneMapping} beside another`;
+  /** One for each that was asked for, so that going back to one compiles nothing. */
+  #quad(
+    show: View['show'],
+    toneMapping: View['toneMapping'],
+    companion: TextureNode<'vec4'> | null,
+  ): QuadMesh {
+    const shown = show === 'picture' ? toneMapping : show;
+    const key = companion === null ? shown : `${shown} beside another`;
     let quad = this.#quads.get(key);
     if (!quad) {
       const material = new NodeMaterial();
       material.name = `output ${key}`;
-      const own = this.#radiance.rgb;
-      const shown = companion === null ? own : select(uv().x.lessThan(this.#from), own, companion.rgb);
-      const exposed = shown.mul(this.#exposure);
-      material.fragmentNode = renderOutput(vec4(exposed, 1), TONE_MAPPINGS[toneMapping], SRGBColorSpace);
+      const own: Node<'vec4'> = this.#radiance;
+      const pixel = companion === null ? own : select(uv().x.lessThan(this.#from), own, companion);
+      material.fragmentNode = displayNode(show, toneMapping, pixel as Node<'vec4'>, {
+        exposure: this.#exposure,
+        distance: this.#distance,
+      });
       quad = new QuadMesh(material);
       this.#quads.set(key, quad);
     }

@@ -12,15 +12,22 @@ import {
   type PerspectiveCamera,
   RenderTarget,
   type Scene,
+  type Texture,
   UnsignedByteType,
   WebGPURenderer,
 } from 'three/webgpu';
+import { exposureFor } from '../color/exposure.ts';
 import { fromHalf } from '../io/half.ts';
+import { focusDistance } from '../scene/lens.ts';
+import type { Camera } from '../scene/schema.ts';
+import { DataViews } from './data-views.ts';
+import { showsLight } from './display.ts';
+import { ExposureMeter } from './exposure-meter.ts';
 import type { FrameSettings, ViewSettings } from './frame/effect.ts';
 import { EffectChain } from './frame/effect-chain.ts';
 import { FrameInputs } from './frame/inputs.ts';
 import { CopyPass } from './frame/pass.ts';
-import { type Companion, OutputPass } from './output-pass.ts';
+import { type Companion, type Display, OutputPass } from './output-pass.ts';
 
 export interface RendererOptions {
   /** Where frames appear; three.js makes one when it is left out: `renderer.canvas`. */
@@ -67,8 +74,12 @@ export async function createRenderer(options: RendererOptions = {}): Promise<Rea
   return new RealtimeRenderer(three, options);
 }
 
+/** A frame that takes longer than this was waited for; one that takes less is not seen. */
+const FRAME_SECONDS = [1 / 1000, 0.1] as const;
+
 export class RealtimeRenderer {
-  readonly #radiance: RenderTarget;
+  #radiance: RenderTarget;
+  readonly #options: Required<Pick<RendererOptions, 'samples' | 'precision'>>;
   readonly #output: OutputPass;
   readonly #inputs = new FrameInputs();
   readonly #effects = new EffectChain(this.#inputs);
@@ -77,6 +88,12 @@ export class RealtimeRenderer {
   /** What the output pass shows, for effects that work on that. */
   readonly #picture = new RenderTarget(1, 1, { type: UnsignedByteType, depthBuffer: false });
   readonly #copy = new CopyPass();
+  readonly #meter = new ExposureMeter();
+  readonly #dataViews = new DataViews(this.#inputs);
+  /** Of the last frame. */
+  #camera: Camera | undefined;
+  #drawnAt = 0;
+  #metered = false;
   /** Shown instead of a part of the frame; readRadiance() does not see it. */
   companion: Companion | null = null;
 
@@ -91,8 +108,8 @@ export class RealtimeRenderer {
     three.outputColorSpace = LinearSRGBColorSpace;
     // So that the figures are those of both halves of a frame.
     three.info.autoReset = false;
-    const type = precision === 'float' ? FloatType : HalfFloatType;
-    this.#radiance = new RenderTarget(1, 1, { type, samples: samples === 1 ? 0 : samples });
+    this.#options = { samples, precision };
+    this.#radiance = this.#target(samples);
     this.#result = this.#radiance;
     this.#output = new OutputPass(this.#radiance.texture);
   }
@@ -110,35 +127,70 @@ export class RealtimeRenderer {
     return this.#effects.unsettled;
   }
 
+  /** The exposure is on its way to what the meter says: to show the last frame again is enough. */
+  get adapting(): boolean {
+    return this.#metered && this.#meter.unsettled;
+  }
+
+  /** What is shown next is another scene: nothing of the last frames is of use. */
+  cut(): void {
+    this.#inputs.cut();
+    this.#meter.cut();
+  }
+
+  /** Something is not as it was, though the settings are the same, such as an image that has come. */
+  changed(): void {
+    this.#inputs.changed();
+  }
+
   /** Compiles what the scene needs without drawing it, so that the page stays alive meanwhile. */
   async compile({ scene, camera }: Renderable, settings: FrameSettings, size: Size): Promise<void> {
-    this.#fit(camera, settings.view, size);
-    this.#effects.follow(this.three, settings);
+    this.#fit(camera, settings, size);
+    this.#follow(settings);
     this.three.setRenderTarget(this.#radiance);
     const compiled = this.three.compileAsync(scene, camera);
     this.three.setRenderTarget(null);
     await compiled;
   }
 
-  render({ scene, camera }: Renderable, settings: FrameSettings, size: Size): void {
+  /** @param seconds since the last frame; left out, those that have passed */
+  render(
+    { scene, camera }: Renderable,
+    settings: FrameSettings,
+    size: Size,
+    seconds = this.#elapsed(),
+  ): void {
     const { three } = this;
-    const { width, height } = this.#fit(camera, settings.view, size);
+    const show = settings.view.show ?? 'picture';
+    const { width, height } = this.#fit(camera, settings, size);
     three.info.reset();
     camera.updateMatrixWorld();
-    this.#inputs.begin(camera, width, height);
-    this.#effects.follow(three, settings);
-    if (this.#effects.needsSurfaces) this.#inputs.surfaces.render(three, scene, camera, width, height);
+    this.#inputs.begin(camera, width, height, settings, seconds);
+    this.#follow(settings);
+    if (this.#effects.needsSurfaces || this.#dataViews.needsSurfaces(show))
+      this.#inputs.surfaces.render(three, scene, camera, width, height);
     this.#effects.beforeScene(three);
-    three.setRenderTarget(this.#radiance);
-    three.render(scene, camera);
-    three.setRenderTarget(null);
-    this.#result = this.#effects.afterScene(three, this.#radiance);
-    this.renderAgain(settings.view);
+    if (showsLight(show)) {
+      const [x, y] = this.#effects.jitter();
+      this.#drawScene(scene, camera, (-2 * x) / width, (2 * y) / height);
+      this.#result = this.#effects.afterScene(three, this.#radiance);
+    } else this.#result = this.#dataViews.draw(three, show, scene, camera, this.#radiance);
+    this.#again(settings, seconds);
   }
 
   /** The last frame again, with another exposure, tone mapping or companion. */
-  renderAgain(view: ViewSettings): void {
-    this.#show(view, this.companion, null);
+  renderAgain(settings: FrameSettings): void {
+    this.#again(settings, this.#elapsed());
+  }
+
+  /** Exposes at once for the last frame, or for a companion alone, where a meter does. */
+  async settleExposure({ exposureMode }: ViewSettings, companion: Companion | null = null): Promise<void> {
+    if (exposureMode === 'auto') await this.#meter.settle(this.three, this.#meteredTexture(companion));
+  }
+
+  /** What radiance is multiplied by on its way to the screen, in EV. */
+  exposure(view: ViewSettings): number {
+    return exposureFor(view, this.#camera, this.#meter.exposure);
   }
 
   /** The last frame as linear radiance, as large as it was rendered: the size times the resolution scale. */
@@ -165,20 +217,77 @@ export class RealtimeRenderer {
     this.#output.dispose();
     this.#picture.dispose();
     this.#copy.dispose();
+    this.#meter.dispose();
+    this.#dataViews.dispose();
     this.#radiance.dispose();
     this.three.dispose();
+  }
+
+  #follow(settings: FrameSettings): void {
+    this.#effects.follow(this.three, settings, this.#dataViews.context(settings.view.show ?? 'picture'));
+  }
+
+  /** @param x @param y by how much the picture is moved, in normalised device coordinates */
+  #drawScene(scene: Scene, camera: PerspectiveCamera, x: number, y: number): void {
+    const { three } = this;
+    const { projectionMatrix, projectionMatrixInverse } = camera;
+    const [before, inverseBefore] = [projectionMatrix.clone(), projectionMatrixInverse.clone()];
+    // Of what is in front of the camera, w is -z.
+    projectionMatrix.elements[8]! -= x;
+    projectionMatrix.elements[9]! -= y;
+    projectionMatrixInverse.copy(projectionMatrix).invert();
+    three.setRenderTarget(this.#radiance);
+    three.render(scene, camera);
+    three.setRenderTarget(null);
+    projectionMatrix.copy(before);
+    projectionMatrixInverse.copy(inverseBefore);
+  }
+
+  #again(settings: FrameSettings, seconds: number): void {
+    this.#camera = settings.camera;
+    this.#metered = settings.view.exposureMode === 'auto';
+    if (this.#metered) this.#meter.follow(this.three, this.#meteredTexture(this.companion), seconds);
+    this.#show(settings.view, this.companion, null);
+  }
+
+  /** What is seen most of. */
+  #meteredTexture(companion: Companion | null): Texture {
+    return companion !== null && companion.from < 0.5 ? companion.radiance : this.#result.texture;
+  }
+
+  #elapsed(): number {
+    const now = performance.now();
+    const seconds = (now - this.#drawnAt) / 1000;
+    this.#drawnAt = now;
+    return Math.min(FRAME_SECONDS[1], Math.max(FRAME_SECONDS[0], seconds));
+  }
+
+  #target(samples: number): RenderTarget {
+    const type = this.#options.precision === 'float' ? FloatType : HalfFloatType;
+    return new RenderTarget(1, 1, { type, samples: samples === 1 ? 0 : samples });
+  }
+
+  /** Several samples a pixel are one way against jagged edges; data have no means of them. */
+  #samples({ view, effects }: FrameSettings): number {
+    const { method } = effects?.antialiasing ?? { method: 'msaa' };
+    return method === 'msaa' && showsLight(view.show ?? 'picture') ? this.#options.samples : 1;
   }
 
   /** From the last frame's radiance to what a screen shows, in a target or, for null, on the canvas. */
   #show(view: ViewSettings, companion: Companion | null, target: RenderTarget | null): void {
     const { three } = this;
     const { width, height } = three.domElement;
+    const display: Display = {
+      ...view,
+      exposure: this.exposure(view),
+      ...(this.#camera && { distance: focusDistance(this.#camera) }),
+    };
     const draw = (into: RenderTarget | null) => {
       three.setRenderTarget(into);
-      this.#output.render(three, this.#result.texture, view, companion);
+      this.#output.render(three, this.#result.texture, display, companion);
       three.setRenderTarget(null);
     };
-    if (!this.#effects.worksOnOutput) {
+    if (!this.#effects.worksOnOutput || (view.show ?? 'picture') !== 'picture') {
       draw(target);
       return;
     }
@@ -188,8 +297,16 @@ export class RealtimeRenderer {
   }
 
   /** @returns the size of the radiance buffer */
-  #fit(camera: PerspectiveCamera, { resolutionScale }: ViewSettings, { width, height }: Size): Size {
+  #fit(camera: PerspectiveCamera, settings: FrameSettings, { width, height }: Size): Size {
     const { domElement } = this.three;
+    const { resolutionScale } = settings.view;
+    const samples = this.#samples(settings);
+    if (Math.max(1, this.#radiance.samples) !== samples) {
+      const before = this.#radiance;
+      this.#radiance = this.#target(samples);
+      if (this.#result === before) this.#result = this.#radiance;
+      before.dispose();
+    }
     if (domElement.width !== width || domElement.height !== height) this.three.setSize(width, height, false);
     const scaled = (length: number) => Math.max(1, Math.round(length * resolutionScale));
     const radiance = { width: scaled(width), height: scaled(height) };

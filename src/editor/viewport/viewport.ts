@@ -12,6 +12,7 @@ import type { ImagePair } from '../path-tracing/difference.ts';
 import { PathTracing } from '../path-tracing/path-tracing.ts';
 import { createPathTracingView, type PathTracingView } from '../path-tracing/view.ts';
 import type { Session } from '../session.ts';
+import type { EditorState } from '../state.ts';
 import { h } from '../ui/dom.ts';
 import { toastError } from '../ui/toast.ts';
 import { createCameraControl } from './camera.ts';
@@ -68,11 +69,16 @@ export class Viewport {
     this.#tracingView = createPathTracingView(session, this.tracing, () => this.#readPair());
     canvas.after(this.#tracingView.element);
 
-    session.store.subscribe(({ document, previous }) => this.#follow(document, previous));
+    session.store.subscribe(({ document, previous, reason }) => {
+      if (reason === 'open') options.renderer.cut();
+      this.#follow(document, previous);
+    });
     session.state.subscribe((now, before) => {
       if (now.continuous !== before.continuous) this.#loop.continuous = now.continuous;
       if (now.selection !== before.selection) this.#drawOverlay();
-      if (now.rendering !== before.rendering || now.divider !== before.divider) this.#loop.request();
+      const uncovered = isCovered(before) && !isCovered(now);
+      if (uncovered || now.rendering !== before.rendering || now.divider !== before.divider)
+        this.#loop.request();
     });
     this.#followSize(element);
     document.addEventListener('visibilitychange', () => this.#loop.interrupt());
@@ -84,6 +90,7 @@ export class Viewport {
   refresh(): void {
     this.#counts = countScene(this.#options.mirror.scene);
     this.#bounds = null;
+    this.#options.renderer.changed();
     this.#redraw();
   }
 
@@ -186,7 +193,7 @@ export class Viewport {
   #submit(): void {
     const { mirror, renderer, session, onFigures } = this.#options;
     const { document } = session.store;
-    const { camera, view } = document;
+    const { camera } = document;
     const { rendering, divider, continuous } = session.state.value;
     const { size, radiance } = this.#sizes();
     this.tracing.look({ camera: { ...camera, ...this.#camera.pose() }, ...radiance });
@@ -195,9 +202,9 @@ export class Viewport {
     renderer.companion = shown ? { radiance: texture, from: rendering === 'split' ? divider : 0 } : null;
     // What is not seen need not be drawn: the machine is the path tracer's.
     const hidden = shown && rendering === 'traced' && !continuous;
-    const asBefore = rendering !== 'interactive' && !this.#stale && !continuous;
+    const asBefore = rendering !== 'interactive' && !this.#stale && !continuous && !renderer.unsettled;
     if (hidden || asBefore) {
-      renderer.renderAgain(view);
+      renderer.renderAgain({ ...document, camera: { ...camera, ...this.#camera.pose() } });
       return;
     }
     renderer.render(mirror, document, size);
@@ -232,10 +239,21 @@ export class Viewport {
   async #render(): Promise<void> {
     const waiting = this.#framesLeftToWait;
     this.#framesLeftToWait = [];
+    // Nobody sees it: the machine is the plots', unless somebody asked for this very frame.
+    if (isCovered(this.#options.session.state.value) && waiting.length === 0) return;
     this.#submit();
     this.#drawOverlay();
+    if (this.#wantsMore()) this.#loop.request();
     await gpuFinished(this.#options.renderer);
     for (const resolve of waiting) resolve();
+  }
+
+  /** Whether the next frame would be a better one, though nothing changes. */
+  #wantsMore(): boolean {
+    const { renderer, session } = this.#options;
+    // What is not seen is not drawn, and so it does not become better.
+    const isSeen = renderer.companion === null || session.state.value.rendering !== 'traced';
+    return renderer.adapting || (isSeen && renderer.unsettled);
   }
 
   #drawOverlay(): void {
@@ -281,6 +299,11 @@ export class Viewport {
     });
     canvas.addEventListener('dblclick', () => this.focusSelection());
   }
+}
+
+/** Whether the bench fills the page. */
+function isCovered({ benchOpen, benchPage, continuous }: EditorState): boolean {
+  return benchOpen && benchPage && !continuous;
 }
 
 function pngOf(canvas: HTMLCanvasElement): Promise<Blob> {

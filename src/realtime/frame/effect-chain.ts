@@ -21,8 +21,12 @@ export class EffectChain {
     this.#inputs = inputs;
   }
 
-  /** Makes the chain that these settings ask for. */
-  follow(three: WebGPURenderer, settings: FrameSettings): void {
+  /**
+   * Makes the chain that these settings ask for.
+   *
+   * @param more that all materials are told, beside what effects tell them
+   */
+  follow(three: WebGPURenderer, settings: FrameSettings, more: Readonly<Record<string, unknown>> = {}): void {
     const before = this.#entries;
     const wanted = settings.effects === undefined ? [] : this.#wanted(settings as EffectSettings);
     const kept = new Map(before.map((entry) => [`${entry.definition.name} ${entry.variant}`, entry]));
@@ -33,10 +37,8 @@ export class EffectChain {
     });
     for (const entry of before) if (!this.#entries.includes(entry)) entry.effect.dispose();
     for (const { effect } of this.#entries) effect.update?.(settings as EffectSettings);
-    const same = before.length === this.#entries.length && before.every((e, i) => e === this.#entries[i]);
-    if (same) return;
     // Materials are compiled anew where it differs: only when what they are told does.
-    const told = Object.assign({}, ...this.#entries.map(({ effect }) => effect.context ?? {}));
+    const told = Object.assign({}, ...this.#entries.map(({ effect }) => effect.context ?? {}), more);
     if (sameEntries(this.#told, told)) return;
     this.#told = told;
     three.contextNode = context(told) as typeof three.contextNode;
@@ -48,6 +50,11 @@ export class EffectChain {
 
   get unsettled(): boolean {
     return this.#entries.some(({ effect }) => effect.unsettled === true);
+  }
+
+  jitter(): readonly [x: number, y: number] {
+    for (const { effect } of this.#entries) if (effect.jitter) return effect.jitter();
+    return [0, 0];
   }
 
   beforeScene(three: WebGPURenderer): void {

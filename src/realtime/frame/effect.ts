@@ -4,7 +4,8 @@ import type { EffectName, Effects } from '../../scene/effects-schema.ts';
 import type { Camera, Document, Fog, View } from '../../scene/schema.ts';
 import type { FrameInputs } from './inputs.ts';
 
-export type ViewSettings = Pick<View, 'exposure' | 'toneMapping' | 'resolutionScale'>;
+export type ViewSettings = Pick<View, 'exposure' | 'toneMapping' | 'resolutionScale'> &
+  Partial<Pick<View, 'exposureMode' | 'show'>>;
 
 /** The parts of a document that a frame depends on, beside the scene itself. A document is one. */
 export interface FrameSettings {
@@ -36,6 +37,8 @@ export interface EffectDefinition {
 export interface Effect {
   /** Takes numbers over into uniforms: compiles nothing. */
   update?(settings: EffectSettings): void;
+  /** Where in its pixel the scene is looked at, once a frame, in pixels from the middle: each within -0.5..0.5. */
+  jitter?(): readonly [x: number, y: number];
   /** Draws what the scene's materials read, when the surfaces are known and the scene is not drawn yet. */
   beforeScene?(renderer: WebGPURenderer): void;
   /** What all materials are told: see FrameContext in src/material/frame-context.ts. */

@@ -3,6 +3,9 @@ import { texture, uniform } from 'three/tsl';
 import { Matrix4, type PerspectiveCamera, type TextureNode, Vector2, Vector3 } from 'three/webgpu';
 import { SurfacesPass } from './surfaces-pass.ts';
 
+/** Stands for settings that no later ones are. */
+const CHANGED = {};
+
 /**
  * Full-screen passes have a camera of their own, so three.js' camera nodes are of no use in them: these are
  * the scene camera's. Textures have their first row at the top, as uv() of a full-screen pass has.
@@ -31,11 +34,23 @@ export class FrameInputs {
   /** By how much a point has moved since the last frame, in normalised device coordinates. */
   readonly velocity: TextureNode = texture(this.surfaces.velocity);
 
-  readonly #viewProjection = new Matrix4();
-  #known = false;
+  /** Seconds from the last frame to this one: what moved, moved in that time. */
+  readonly seconds = uniform(1 / 60);
+  /** How many frames in a row, with the last one, were of the same scene, seen from the same place. */
+  steady = 0;
+  /** This frame has nothing to do with the one before: what was kept of that is of no use. */
+  isCut = true;
 
-  /** Takes the camera over; its matrices must be up to date. */
-  begin(camera: PerspectiveCamera, width: number, height: number): void {
+  readonly #viewProjection = new Matrix4();
+  #settings: unknown = null;
+
+  /**
+   * Takes the camera over; its matrices must be up to date.
+   *
+   * @param settings of the frame: the scene is taken to be as before if they are the same object, as documents are
+   */
+  begin(camera: PerspectiveCamera, width: number, height: number, settings: unknown, seconds: number): void {
+    const resized = this.size.value.x !== width || this.size.value.y !== height;
     this.size.value.set(width, height);
     this.projection.value.copy(camera.projectionMatrix);
     this.projectionInverse.value.copy(camera.projectionMatrixInverse);
@@ -45,10 +60,24 @@ export class FrameInputs {
     this.near.value = camera.near;
     this.far.value = camera.far;
     const now = new Matrix4().multiplyMatrices(camera.projectionMatrix, camera.matrixWorldInverse);
-    this.previousViewProjection.value.copy(this.#known ? this.#viewProjection : now);
+    this.isCut = this.#settings === null || resized;
+    const same = !this.isCut && settings === this.#settings && now.equals(this.#viewProjection);
+    this.steady = same ? this.steady + 1 : 0;
+    this.#settings = settings;
+    this.previousViewProjection.value.copy(this.isCut ? now : this.#viewProjection);
     this.#viewProjection.copy(now);
-    this.#known = true;
+    this.seconds.value = seconds;
     this.frameIndex.value += 1;
+  }
+
+  /** Something is not as it was that the settings do not tell, such as an image that has come. */
+  changed(): void {
+    if (this.#settings !== null) this.#settings = CHANGED;
+  }
+
+  /** What comes next is another scene. */
+  cut(): void {
+    this.#settings = null;
   }
 
   dispose(): void {
