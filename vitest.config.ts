@@ -1,3 +1,4 @@
+import { availableParallelism } from 'node:os';
 import { defineConfig } from 'vitest/config';
 import { repository } from './vite.shared.config.ts';
 
@@ -7,10 +8,19 @@ import { repository } from './vite.shared.config.ts';
  *   x.gpu.test.ts  a GPU in Node (Dawn), one at a time: each device takes every core in software
  *   x.e2e.test.ts  a real browser, one at a time
  * The timeouts only catch a hang; no test says how fast something must be.
+ *
+ * The files of a kind share processes, and what these have imported: importing the library and three.js afresh for every
+ * file takes as long as many a file's tests. So a test file leaves behind what it found (vi.unstubAllGlobals()).
  */
 const gpu = 'test/**/*.gpu.test.ts';
 const e2e = 'test/**/*.e2e.test.ts';
-const alone = { pool: 'forks', maxWorkers: 1, testTimeout: 300_000, hookTimeout: 300_000 } as const;
+const alone = {
+  pool: 'forks',
+  maxWorkers: 1,
+  isolate: false,
+  testTimeout: 300_000,
+  hookTimeout: 300_000,
+} as const;
 
 export default defineConfig({
   root: repository,
@@ -23,6 +33,9 @@ export default defineConfig({
           name: { label: 'unit', color: 'green' },
           include: ['test/**/*.test.ts'],
           exclude: [gpu, e2e],
+          isolate: false,
+          // Vitest would leave one core to itself, which has little to do once all is imported.
+          maxWorkers: availableParallelism(),
           testTimeout: 60_000,
           hookTimeout: 60_000,
           sequence: { groupOrder: 0 },

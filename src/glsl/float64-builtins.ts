@@ -62,7 +62,11 @@ const COMPARISONS: Record<string, (a: Value, b: Value) => boolean> = {
 };
 
 const list = (value: Value | undefined): Vector => (Array.isArray(value) ? value : [value]) as Vector;
-const dot = (a: Vector, b: Vector) => a.reduce((sum, x, i) => sum + x * (b[i] as number), 0);
+function dot(a: Vector, b: Vector): number {
+  let sum = 0;
+  for (let i = 0; i < a.length; i++) sum += (a[i] as number) * (b[i] as number);
+  return sum;
+}
 
 /** A vector's function; scalars pass through it as vectors of one component. */
 function vectors(f: (a: Vector, b: Vector, c: Vector) => Vector): Builtin {

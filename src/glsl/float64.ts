@@ -190,8 +190,14 @@ export class Float64Program {
       case 'swizzle': {
         const object = this.expression(e.object);
         const { components } = e;
-        const [first = 0] = components;
+        const [first = 0, second = 0, third = 0] = components;
         if (components.length === 1) return () => (object() as readonly number[])[first] as number;
+        if (components.length === 3) {
+          return () => {
+            const value = object() as readonly number[];
+            return [value[first] as number, value[second] as number, value[third] as number];
+          };
+        }
         return () => {
           const value = object() as readonly number[];
           return components.map((c) => value[c] as number);

@@ -38,6 +38,23 @@ describe.each([...shippedModels])('%s in float32', (_name, model) => {
     expect(Math.max(...Object.values(worst)), JSON.stringify(worst)).toBeLessThan(0.03);
   });
 
+  it('has the density of its sampler', () => {
+    if (!model.hasSampling) return;
+    const random = createRandom(6);
+    const [quick, exact] = [createQuickEvaluator(model), createEvaluator(model)];
+    const errors: number[] = [];
+    for (let i = 0; i < 300; i++) {
+      const { parameters, l, v } = randomPoint(random, model.parameters);
+      quick.set(parameters);
+      exact.set(parameters);
+      const [density, truth] = [quick.pdf()(l, v), exact.pdf(l, v)];
+      errors.push(apart([density, density, density], [truth, truth, truth]));
+    }
+    errors.sort((a, b) => a - b);
+    expect(errors[Math.floor(0.9 * errors.length)]).toBeLessThan(2e-5);
+    expect(errors.at(-1)).toBeLessThan(0.03);
+  });
+
   it('integrates to the same albedo', () => {
     const v = direction(0.6, 0.4);
     const options = { tolerance: 1e-4, maxEvaluations: 12_000 };

@@ -2,22 +2,22 @@ import { describe, expect, it } from 'vitest';
 import { shippedModels } from '../../models/index.ts';
 import { directionalAlbedo } from '../../src/analysis/albedo.ts';
 import { integrateHemisphere } from '../../src/analysis/quadrature.ts';
+import { createQuickEvaluator } from '../../src/analysis/quick-evaluator.ts';
 import { direction } from '../../src/analysis/vector.ts';
 import type { ParameterValues } from '../../src/brdf/model.ts';
-import { createEvaluator } from '../../src/glsl/evaluator.ts';
 import { cornerParameters } from './hostile.ts';
 
 /**
  * How much of the light each model gives back: the figures that the model files' headers state, by
- * quadrature. White surfaces, so that the albedo is that of the model and not of its colour.
+ * quadrature of float32. White surfaces, so that the albedo is that of the model and not of its colour.
  */
 
 const white = { baseColor: [1, 1, 1] } as const;
 
 function albedo(name: string, p: ParameterValues, cosTheta: number, maxEvaluations = 8_000): number {
-  const evaluator = createEvaluator(shippedModels.get(name)!, p);
+  const f = createQuickEvaluator(shippedModels.get(name)!, p).term('BRDF');
   const view = direction(cosTheta, 0.4);
-  return directionalAlbedo((l) => evaluator.f(l, view), view, { tolerance: 1e-3, maxEvaluations }).value[0]!;
+  return directionalAlbedo(f, view, { tolerance: 1e-3, maxEvaluations }).value[0]!;
 }
 
 /** Equal to within 1 %. */
@@ -100,10 +100,9 @@ describe('directional albedo', () => {
 
 describe('the share of samples that is not lost below the surface', () => {
   const mass = (name: string, p: ParameterValues, cosTheta: number): number => {
-    const evaluator = createEvaluator(shippedModels.get(name)!, p);
+    const pdf = createQuickEvaluator(shippedModels.get(name)!, p).pdf();
     const [view, mirror] = [direction(cosTheta, 0.4), direction(cosTheta, 0.4 + Math.PI)];
-    return integrateHemisphere((l) => [evaluator.pdf(l, view)], { focus: [mirror], tolerance: 1e-3 })
-      .value[0]!;
+    return integrateHemisphere((l) => [pdf(l, view)], { focus: [mirror], tolerance: 1e-3 }).value[0]!;
   };
 
   it('lambert: all', () => {
