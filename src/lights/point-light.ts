@@ -15,6 +15,8 @@ import { lightColor, lightVector } from './light-vector.ts';
  */
 export class BrdfPointLight extends PointLight {
   falloff: Falloff = 'inverse-square';
+  /** Of the lamp, in metres. Shadows alone know it (docs/decisions/light-sizes.md). */
+  radius = 0;
 
   /** @param intensity in cd */
   constructor(color?: ColorRepresentation, intensity = 1) {
@@ -24,6 +26,7 @@ export class BrdfPointLight extends PointLight {
   override copy(source: this, recursive?: boolean): this {
     super.copy(source, recursive);
     this.falloff = source.falloff;
+    this.radius = source.radius;
     return this;
   }
 }

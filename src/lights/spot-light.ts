@@ -22,6 +22,8 @@ export class BrdfSpotLight extends SpotLight {
   /** s: how fast the light falls from the axis outward; 0 is a disc of even intensity. */
   exponent = 0;
   falloff: Falloff = 'inverse-square';
+  /** Of the lamp, in metres. Shadows alone know it (docs/decisions/light-sizes.md). */
+  radius = 0;
 
   /** @param intensity I_max in cd  @param angle theta_u in radians */
   constructor(color?: ColorRepresentation, intensity = 1, angle = Math.PI / 6, exponent = 0) {
@@ -33,6 +35,7 @@ export class BrdfSpotLight extends SpotLight {
     super.copy(source, recursive);
     this.exponent = source.exponent;
     this.falloff = source.falloff;
+    this.radius = source.radius;
     return this;
   }
 }

@@ -24,6 +24,30 @@ const tracingShape = {
 
 /** The fields of each effect, in the order in which the inspector shows them. */
 export const effectShapes = {
+  shadows: {
+    enabled: boolean('Things keep the light of lamps off what is behind them'),
+    resolution: integer(
+      'Points along each side of a map of what a lamp sees; more makes fine shadows sharp',
+      {
+        range: [64, 4096],
+        slider: [256, 2048],
+      },
+    ),
+    samples: integer('Points that are looked at for each pixel and lamp; more makes soft shadows smooth', {
+      range: [4, 128],
+      slider: [8, 64],
+    }),
+    cascades: integer('Maps of each directional light: the nearest shows the finest shadows', {
+      range: [1, 4],
+      slider: [1, 4],
+    }),
+    maxDistance: number('Directional lights’ maps are for what is nearer to the camera than this', {
+      range: [0.01, 1e6],
+      unit: 'm',
+      slider: [5, 500],
+      step: 1,
+    }),
+  },
   ambientOcclusion: {
     enabled: boolean('Light from everywhere is weaker in corners and under things, where it cannot reach'),
     radius: number('What is farther away than this keeps no light off', {
@@ -133,6 +157,7 @@ export const effectShapes = {
 } as const;
 
 export const effectSchemas = {
+  shadows: z.strictObject(effectShapes.shadows),
   ambientOcclusion: z.strictObject(effectShapes.ambientOcclusion),
   contactShadows: z.strictObject(effectShapes.contactShadows),
   reflections: z.strictObject(effectShapes.reflections),
@@ -151,6 +176,7 @@ export const effectsSchema = z.strictObject(effectSchemas);
 export type Effects = z.output<typeof effectsSchema>;
 
 export const effectsDefaults: Readonly<Effects> = {
+  shadows: { enabled: true, resolution: 1024, samples: 32, cascades: 3, maxDistance: 100 },
   ambientOcclusion: {
     enabled: false,
     radius: 1,
@@ -172,6 +198,7 @@ export const effectsDefaults: Readonly<Effects> = {
 
 export const effectsFileSchema = withDefaults(
   {
+    shadows: withDefaults(effectShapes.shadows, effectsDefaults.shadows),
     ambientOcclusion: withDefaults(effectShapes.ambientOcclusion, effectsDefaults.ambientOcclusion),
     contactShadows: withDefaults(effectShapes.contactShadows, effectsDefaults.contactShadows),
     reflections: withDefaults(effectShapes.reflections, effectsDefaults.reflections),

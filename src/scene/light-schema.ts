@@ -34,6 +34,12 @@ const range = number('Distance at which the light has faded to nothing; 0 never 
   step: 0.01,
 });
 
+const castShadow = boolean('Whether things keep its light off what is behind them');
+const radius = number(
+  'Radius of the lamp: how soft its shadows are. What is lit wholly is lit as from its centre',
+  { range: [0, 1e5], unit: 'm', slider: [0, 0.5], step: 0.005 },
+);
+
 const common = {
   name: nameField,
   visible: boolean('Whether the light shines'),
@@ -66,8 +72,13 @@ export const lightShapes = {
     }),
     position,
     target,
+    angularDiameter: number(
+      'Angle that the light fills in the sky: how soft its shadows are. The sun’s is 0.53°',
+      { range: [0, 90], unit: '°', slider: [0, 20], step: 0.01 },
+    ),
+    castShadow,
   },
-  point: { type: z.literal('point'), ...common, intensity, position, falloff, range },
+  point: { type: z.literal('point'), ...common, intensity, position, falloff, range, radius, castShadow },
   spot: {
     type: z.literal('spot'),
     ...common,
@@ -91,6 +102,8 @@ export const lightShapes = {
     }),
     falloff,
     range,
+    radius,
+    castShadow,
   },
   rectangle: {
     type: z.literal('rectangle'),
@@ -115,6 +128,7 @@ export const lightShapes = {
       slider: [0.01, 10],
       step: 0.01,
     }),
+    castShadow,
   },
 } as const;
 
@@ -145,6 +159,11 @@ export const lightSchema = z.discriminatedUnion('type', [
 const white: [number, number, number] = [1, 1, 1];
 const shared = { visible: true, color: white, temperature: null };
 
+/** Mean angle of the sun from the earth, in degrees: 2 asin(695 700 km / 149 597 871 km). */
+const SUN_DIAMETER = 0.533;
+/** A light bulb, in metres. */
+const BULB_RADIUS = 0.03;
+
 /** What a light of each type is when it has just been added, and what a file may leave out. */
 export const lightDefaults: { readonly [T in LightType]: Readonly<LightOf<T>> } = {
   ambient: { type: 'ambient', name: 'Ambient light', ...shared, luminance: 0.1 },
@@ -162,6 +181,8 @@ export const lightDefaults: { readonly [T in LightType]: Readonly<LightOf<T>> } 
     illuminance: 2,
     position: [2, 4, 3],
     target: [0, 0, 0],
+    angularDiameter: SUN_DIAMETER,
+    castShadow: true,
   },
   point: {
     type: 'point',
@@ -171,6 +192,8 @@ export const lightDefaults: { readonly [T in LightType]: Readonly<LightOf<T>> } 
     position: [0, 3, 2],
     falloff: 'inverse-square',
     range: 0,
+    radius: BULB_RADIUS,
+    castShadow: true,
   },
   spot: {
     type: 'spot',
@@ -184,6 +207,8 @@ export const lightDefaults: { readonly [T in LightType]: Readonly<LightOf<T>> } 
     penumbra: 0,
     falloff: 'inverse-square',
     range: 0,
+    radius: BULB_RADIUS,
+    castShadow: true,
   },
   rectangle: {
     type: 'rectangle',
@@ -194,6 +219,7 @@ export const lightDefaults: { readonly [T in LightType]: Readonly<LightOf<T>> } 
     target: [0, 0, 0],
     width: 2,
     height: 1,
+    castShadow: true,
   },
 };
 

@@ -81,7 +81,8 @@ void addRectangles(vec3 o, vec3 d, float density, vec3 N, uint strategy, int dep
     if (cosine <= 1e-7) continue;
     vec3 toCentre = loadFloat4(slot + 2).xyz - o;
     float distance = -dot(toCentre, side.xyz) / cosine;
-    if (distance <= 0.0 || distance >= hitDistance) continue;
+    bool passesThrough = loadUint4(slot).z != 0u;
+    if (distance <= 0.0 || (distance >= hitDistance && !passesThrough)) continue;
     vec3 place = d * distance - toCentre;
     vec3 halfWidth = loadFloat4(slot + 4).xyz;
     vec3 halfHeight = loadFloat4(slot + 5).xyz;
@@ -119,7 +120,7 @@ void addDirectLight(bool isSpace, vec3 P, vec3 d, uint model, uint strategy, int
   }
   float weight = lightIsDelta || strategy != BOTH ? 1.0 : balance(lightDensity, density);
   // Not as far as the light, which would be in its own shadow.
-  float visible = traceShadow(o, lightDirection, lightDistance * 0.9999);
+  float visible = lightPassesThrough ? 1.0 : traceShadow(o, shadowDirection, shadowDistance * 0.9999);
   if (visible <= 0.0) return;
   // Beyond the surface is another medium.
   int inside = mediumCount;

@@ -12,6 +12,11 @@ float lightDistance;
 vec3 lightRadiance;    // of a light without size: its irradiance on a surface that faces it
 float lightDensity;    // in 1/sr, times the light's probability; of a light without size: that probability alone
 bool lightIsDelta;
+// Where the light has to come from to be seen: a point of a lamp that is lit as from its centre, a direction within the
+// sun (docs/decisions/light-sizes.md).
+vec3 shadowDirection;
+float shadowDistance;
+bool lightPassesThrough;    // things do not keep it off
 
 // How irradiance falls with the distance r (src/lights/falloff.ts).
 float falloffAt(float r, uint falloff, float inverseRange4) {
@@ -32,7 +37,20 @@ bool towardsArea(vec3 P, vec3 point, vec3 normal, float area, bool bothSides) {
   if (bothSides) cosine = abs(cosine);
   if (cosine <= 1e-7) return false;
   lightDensity = chosenProbability * distance2 / (cosine * area);
+  shadowDirection = lightDirection;
+  shadowDistance = lightDistance;
   return true;
+}
+
+// A point of the disc of this radius about the origin that faces d, evenly. @param d a unit vector
+vec3 sampleDisc(vec3 d, float radius, vec2 u) {
+  // T. Duff et al., 2017, "Building an Orthonormal Basis, Revisited", JCGT 6(1), listing 3.
+  float s = d.z < 0.0 ? -1.0 : 1.0;
+  float a = -1.0 / (s + d.z);
+  vec3 x = vec3(1.0 + s * d.x * d.x * a, s * d.x * d.y * a, -s * d.x);
+  float r = radius * sqrt(u.x);
+  float angle = 2.0 * PI * u.y;
+  return (x * cos(angle) + cross(d, x) * sin(angle)) * r;
 }
 
 // A light, and a direction to it, for a point in space. @param N 0 in fog @returns false where no light comes
@@ -57,7 +75,9 @@ bool sampleLight(vec3 P, vec3 N) {
   vec4 power = loadFloat4(slot + 1);
   vec4 place = loadFloat4(slot + 2);
   lightIsDelta = false;
+  lightPassesThrough = false;
   if (head.x == RECTANGLE) {
+    lightPassesThrough = head.z != 0u;
     vec4 side = loadFloat4(slot + 3);
     vec3 point = place.xyz + loadFloat4(slot + 4).xyz * (2.0 * uv.x - 1.0) + loadFloat4(slot + 5).xyz * (2.0 * uv.y - 1.0);
     lightRadiance = power.xyz;
@@ -90,6 +110,14 @@ bool sampleLight(vec3 P, vec3 N) {
     lightRadiance = power.xyz * falloffAt(lightDistance, head.y, place.w);
     lightDensity = chosenProbability;
     lightIsDelta = true;
+    lightPassesThrough = head.z != 0u;
+    shadowDirection = lightDirection;
+    shadowDistance = lightDistance;
+    if (power.w > 0.0) {
+      vec3 toPoint = toLight + sampleDisc(lightDirection, power.w, uv);
+      shadowDistance = length(toPoint);
+      shadowDirection = toPoint / shadowDistance;
+    }
     if (head.x == SPOT) {
       vec4 axis = loadFloat4(slot + 3);
       vec4 edge = loadFloat4(slot + 4);
@@ -105,9 +133,15 @@ bool sampleLight(vec3 P, vec3 N) {
     lightRadiance = power.xyz;
     lightDensity = chosenProbability;
     lightIsDelta = true;
+    lightPassesThrough = head.z != 0u;
+    shadowDirection = lightDirection;
+    shadowDistance = INFINITY;
+    if (power.w > 0.0) shadowDirection = normalize(lightDirection + sampleDisc(lightDirection, power.w, uv));
     return true;
   }
   lightDirection = sampleSky(uv);
+  shadowDirection = lightDirection;
+  shadowDistance = INFINITY;
   lightRadiance = skyRadiance(lightDirection);
   lightDensity = chosenProbability * skySampleDensity;
   return lightDensity > 0.0;

@@ -67,4 +67,4 @@ export async function writeLights(words: Words, scene: Scene, pace: Pace): Promi
   };
 }
 
-const SKY_LIGHT: LightRecord = { type: LIGHT_TYPES.sky, a: 0, slots: [], bounds: null };
+const SKY_LIGHT: LightRecord = { type: LIGHT_TYPES.sky, a: 0, b: 0, slots: [], bounds: null };

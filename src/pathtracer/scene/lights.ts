@@ -12,6 +12,8 @@ type Rgb = [number, number, number];
 export interface LightRecord {
   readonly type: number;
   readonly a: number;
+  /** 1 for what shines through everything. */
+  readonly b: number;
   /** Slots 1 to 5. */
   readonly slots: readonly (readonly number[])[];
   /** Null for lights that are infinitely far away. */
@@ -59,11 +61,20 @@ function direction(a: readonly number[], b: readonly number[]): Rgb | null {
   return length > 0 ? scaled(difference, 1 / length) : null;
 }
 
+const passesThrough = ({ castShadow }: { castShadow: boolean }): number => Number(!castShadow);
+
 function directional(light: LightOf<'directional'>): LightRecord | null {
   const toLight = direction(light.target, light.position);
   if (toLight === null) return null;
   const irradiance = scaled(colorOf(light), light.illuminance);
-  return { type: LIGHT_TYPES.directional, a: 0, slots: [irradiance, toLight], bounds: null };
+  const tangent = Math.tan(MathUtils.degToRad(light.angularDiameter / 2));
+  return {
+    type: LIGHT_TYPES.directional,
+    a: 0,
+    b: passesThrough(light),
+    slots: [[...irradiance, tangent], toLight],
+    bounds: null,
+  };
 }
 
 function point(light: LightOf<'point'>): LightRecord {
@@ -71,7 +82,11 @@ function point(light: LightOf<'point'>): LightRecord {
   return {
     type: LIGHT_TYPES.point,
     a: FALLOFFS[light.falloff],
-    slots: [intensity, [...light.position, inverseRange4(light.range)]],
+    b: passesThrough(light),
+    slots: [
+      [...intensity, light.radius],
+      [...light.position, inverseRange4(light.range)],
+    ],
     bounds: {
       ...ALL_DIRECTIONS,
       box: [...light.position, ...light.position],
@@ -90,8 +105,9 @@ function spot(light: LightOf<'spot'>): LightRecord | null {
   return {
     type: LIGHT_TYPES.spot,
     a: FALLOFFS[light.falloff],
+    b: passesThrough(light),
     slots: [
-      intensity,
+      [...intensity, light.radius],
       [...light.position, inverseRange4(light.range)],
       [...axis, outer],
       [light.exponent, inner > outer ? Math.min(1 / (inner - outer), STEP_SLOPE) : STEP_SLOPE],
@@ -124,6 +140,7 @@ function rectangle(light: LightOf<'rectangle'>): LightRecord {
   return {
     type: LIGHT_TYPES.rectangle,
     a: 0,
+    b: passesThrough(light),
     slots: [radiance, position, [...normal, width * height], right, up],
     bounds: {
       box: [
@@ -144,8 +161,8 @@ function rectangle(light: LightOf<'rectangle'>): LightRecord {
 }
 
 /** Writes a light; it is in no tree yet. */
-export function writeLight(words: Words, slot: number, { type, a, slots }: LightRecord): void {
-  words.setUints(slot, type, a, 0, NO_TRAIL);
+export function writeLight(words: Words, slot: number, { type, a, b, slots }: LightRecord): void {
+  words.setUints(slot, type, a, b, NO_TRAIL);
   for (const [i, values] of slots.entries()) words.setFloats(slot + 1 + i, ...values);
 }
 

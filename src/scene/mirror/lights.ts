@@ -1,5 +1,6 @@
 /** The lights of the document as three.js lights: a changed field sets a field. */
 import * as THREE from 'three/webgpu';
+import { BrdfDirectionalLight } from '../../lights/directional-light.ts';
 import { BrdfPointLight } from '../../lights/point-light.ts';
 import { BrdfRectLight } from '../../lights/rect-light.ts';
 import { BrdfSpotLight } from '../../lights/spot-light.ts';
@@ -10,7 +11,7 @@ import { diff } from './diff.ts';
 interface ThreeLights {
   ambient: THREE.AmbientLight;
   hemisphere: THREE.HemisphereLight;
-  directional: THREE.DirectionalLight;
+  directional: BrdfDirectionalLight;
   point: BrdfPointLight;
   spot: BrdfSpotLight;
   rectangle: BrdfRectLight;
@@ -41,17 +42,21 @@ const kinds: Kinds = {
     },
   },
   directional: {
-    create: () => new THREE.DirectionalLight(),
-    set: (light, { illuminance, position, target }) => {
+    create: () => new BrdfDirectionalLight(),
+    set: (light, { illuminance, position, target, angularDiameter, castShadow }) => {
       light.intensity = illuminance;
+      light.angularDiameter = THREE.MathUtils.degToRad(angularDiameter);
+      light.castShadow = castShadow;
       light.position.fromArray(position);
       light.target.position.fromArray(target);
     },
   },
   point: {
     create: () => new BrdfPointLight(),
-    set: (light, { intensity, position, falloff, range }) => {
+    set: (light, { intensity, position, falloff, range, radius, castShadow }) => {
       light.intensity = intensity;
+      light.radius = radius;
+      light.castShadow = castShadow;
       light.position.fromArray(position);
       light.falloff = falloff;
       light.distance = range;
@@ -68,12 +73,15 @@ const kinds: Kinds = {
       light.penumbra = source.penumbra;
       light.falloff = source.falloff;
       light.distance = source.range;
+      light.radius = source.radius;
+      light.castShadow = source.castShadow;
     },
   },
   rectangle: {
     create: () => new BrdfRectLight(),
-    set: (light, { luminance, position, target, width, height }) => {
+    set: (light, { luminance, position, target, width, height, castShadow }) => {
       light.intensity = luminance;
+      light.castShadow = castShadow;
       light.width = width;
       light.height = height;
       light.position.fromArray(position);
