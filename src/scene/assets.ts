@@ -66,7 +66,10 @@ export class AssetLoader {
 
   /** The caller's own, to dispose of. */
   async environment(asset: Asset): Promise<THREE.DataTexture> {
-    return decodeEnvironment(decodeBase64(asset.data), asset.name);
+    const bytes = decodeBase64(asset.data);
+    if (!/^image\/(png|jpeg|webp|avif)$/.test(asset.mediaType)) return decodeEnvironment(bytes, asset.name);
+    const { environmentOfImage } = await import('./image-environment.ts');
+    return environmentOfImage(await this.image(asset, null), asset.name);
   }
 
   /** The caller's own, to dispose of. */

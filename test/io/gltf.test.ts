@@ -4,7 +4,7 @@ import * as THREE from 'three/webgpu';
 import { beforeAll, beforeEach, describe, expect, test, vi } from 'vitest';
 import { nodeAssets } from '../../src/cli/node-assets.ts';
 import { readGlb, writeGlb } from '../../src/io/gltf/glb.ts';
-import { GltfError, importGltf } from '../../src/io/gltf.ts';
+import { addImported, GltfError, type ImportedModel, importGltf } from '../../src/io/gltf.ts';
 import { AssetLoader } from '../../src/scene/assets.ts';
 import { decodeDataUrl, encodeBase64 } from '../../src/scene/base64.ts';
 import { createDocument, parseDocument, serializeDocument } from '../../src/scene/document.ts';
@@ -18,13 +18,18 @@ beforeEach(() => {
   store = new DocumentStore(createDocument());
 });
 
+const put = (imported: ImportedModel): void =>
+  store.edit(imported.label, (draft) => {
+    addImported(draft, imported);
+  });
+
 async function bring(
   bytes: Uint8Array,
   files?: Map<string, Uint8Array>,
 ): Promise<{ notes: string[]; document: Document }> {
-  const { label, recipe, notes } = await importGltf(bytes, 'sample.glb', assets, files);
-  store.edit(label, recipe);
-  return { notes, document: store.document };
+  const imported = await importGltf(bytes, 'sample.glb', assets, files && { companions: files });
+  put(imported);
+  return { notes: imported.notes, document: store.document };
 }
 
 async function onlyMaterial(bytes: Uint8Array): Promise<Material & { notes: string[] }> {
@@ -299,13 +304,124 @@ describe('materials become principled', () => {
     const { notes } = await onlyMaterial(
       triangle(
         {},
-        { extensions: { KHR_materials_transmission: { transmissionFactor: 1 }, KHR_materials_unlit: {} } },
+        {
+          extensions: {
+            KHR_materials_iridescence: { iridescenceFactor: 1 },
+            KHR_materials_dispersion: { dispersion: 0.1 },
+            KHR_materials_anisotropy: { anisotropyStrength: 0.5, anisotropyRotation: 1 },
+          },
+        },
       ),
     );
     expect(notes).toEqual([
-      'Paint: transmission has no counterpart',
-      'Paint: unlit shading has no counterpart',
+      'Paint: the rotation of the anisotropy has no counterpart',
+      'Paint: iridescence has no counterpart',
+      'Paint: dispersion has no counterpart',
     ]);
+  });
+
+  test('that let light through are principled-bsdf: thin without a volume, otherwise bodies', async () => {
+    const transmission = { KHR_materials_transmission: { transmissionFactor: 0.9 } };
+    const thin = await onlyMaterial(triangle({}, { extensions: transmission }));
+    expect(thin).toMatchObject({
+      model: 'principled-bsdf',
+      parameters: { specTrans: 0.9, thin: true, ior: 1.5 },
+    });
+    store = new DocumentStore(createDocument());
+    const body = await onlyMaterial(
+      triangle(
+        {},
+        {
+          extensions: {
+            ...transmission,
+            KHR_materials_ior: { ior: 1.33 },
+            KHR_materials_volume: {
+              thicknessFactor: 1,
+              attenuationDistance: 2,
+              attenuationColor: [0.5, 0.6, 0.7],
+            },
+          },
+        },
+      ),
+    );
+    expect(body.parameters).toMatchObject({
+      thin: false,
+      ior: 1.33,
+      transmissionColor: [0.5, 0.6, 0.7],
+      transmissionDepth: 2,
+    });
+    expect(body.parameters).not.toHaveProperty('specular');
+  });
+
+  test('that are unlit emit their colour', async () => {
+    const material = await onlyMaterial(
+      triangle(
+        {},
+        {
+          pbrMetallicRoughness: { baseColorFactor: [0.5, 0.25, 0, 1] },
+          extensions: { KHR_materials_unlit: {} },
+        },
+      ),
+    );
+    expect(material).toMatchObject({
+      emissive: [1, 0.5, 0],
+      emissiveIntensity: 0.5,
+      parameters: { baseColor: [0, 0, 0], specular: 0 },
+    });
+  });
+
+  test('of the specular-glossiness workflow: a metal and a dielectric', async () => {
+    const workflow = (specularFactor: number[], diffuseFactor: number[]) =>
+      triangle(
+        {},
+        {
+          extensions: {
+            KHR_materials_pbrSpecularGlossiness: { specularFactor, diffuseFactor, glossinessFactor: 0.75 },
+          },
+        },
+      );
+    const metal = await onlyMaterial(workflow([0.9, 0.6, 0.3], [0, 0, 0, 1]));
+    expect(metal.parameters.metallic).toBeCloseTo(1, 2);
+    expect(metal.parameters.roughness).toBe(0.25);
+    store = new DocumentStore(createDocument());
+    const paint = await onlyMaterial(workflow([0.04, 0.04, 0.04], [0.5, 0.2, 0.1, 1]));
+    expect(paint.parameters.metallic).toBeCloseTo(0, 6);
+    (paint.parameters.baseColor as number[]).forEach((value, c) => {
+      expect(value).toBeCloseTo([0.5, 0.2, 0.1][c]!, 6);
+    });
+  });
+
+  test('of variants are there, beside the one that is shown', async () => {
+    const primitive = {
+      attributes: { POSITION: 0 },
+      material: 0,
+      extensions: {
+        KHR_materials_variants: {
+          mappings: [
+            { material: 0, variants: [0] },
+            { material: 1, variants: [1] },
+          ],
+        },
+      },
+    };
+    const { document, notes } = await bring(
+      triangle({
+        meshes: [{ primitives: [primitive] }],
+        materials: [{ name: 'Blue' }, { name: 'Green' }],
+        extensions: { KHR_materials_variants: { variants: [{ name: 'day' }, { name: 'night' }] } },
+      }),
+    );
+    expect(Object.values(document.materials).map(({ name }) => name)).toEqual(['Blue', 'Green']);
+    expect(Object.values(document.objects)).toMatchObject([{ material: Object.keys(document.materials)[0] }]);
+    expect(notes.join()).toContain('variants day, night');
+  });
+
+  test('hidden nodes hide what is below them', async () => {
+    const hidden = { KHR_node_visibility: { visible: false } };
+    const { document } = await bring(
+      triangle({ nodes: [{ children: [1], extensions: hidden }, { mesh: 0 }], scenes: [{ nodes: [0] }] }),
+    );
+    expect(Object.values(document.objects)).toMatchObject([{ visible: false }]);
   });
 
   test('without an image that cannot be read', async () => {
@@ -505,8 +621,10 @@ describe('a file that is broken', () => {
         expect(result).toBeInstanceOf(GltfError);
         expect(result.message).toMatch(/^hostile\.glb: /);
       } else {
-        const { label, recipe } = result as Awaited<ReturnType<typeof importGltf>>;
-        target.edit(label, recipe);
+        const imported = result as ImportedModel;
+        target.edit(imported.label, (draft) => {
+          addImported(draft, imported);
+        });
       }
     }
 

@@ -109,11 +109,12 @@ async function openGltf(
     for (const other of all) if (other !== file) companions.set(pathOf(other), await read(other));
   }
   onProgress(`Decoding ${file.name}`, null);
-  const { importGltf } = await import('../../io/gltf.ts');
-  const { label, recipe, notes } = await importGltf(bytes, file.name, assets, companions);
+  const { addImported, importGltf } = await import('../../io/gltf.ts');
+  const imported = await importGltf(bytes, file.name, assets, { companions });
+  const { label, notes } = imported;
   let ids: string[] = [];
   store.edit(label, (draft) => {
-    ids = recipe(draft);
+    ids = addImported(draft, imported);
   });
   if (ids[0]) state.select({ kind: 'objects', id: ids[0] });
   toast('success', `Imported ${file.name}`);

@@ -4,7 +4,7 @@
  * allocates more than the file's own size justifies.
  */
 import { GltfError } from './error.ts';
-import { dracoSchema, type Gltf, meshoptSchema } from './schema.ts';
+import { dracoSchema, type Gltf, imageIndex, meshoptSchema } from './schema.ts';
 
 const componentSizes = { 5120: 1, 5121: 1, 5122: 2, 5123: 2, 5125: 4, 5126: 4 } as const;
 const componentCounts = { SCALAR: 1, VEC2: 2, VEC3: 3, VEC4: 4, MAT2: 4, MAT3: 9, MAT4: 16 } as const;
@@ -83,7 +83,7 @@ export function checkGltf(gltf: Gltf, bufferSizes: readonly number[], file: stri
 
   for (const [i, image] of gltf.images.entries()) need(image.bufferView, 'bufferViews', `images[${i}]`);
   for (const [i, texture] of gltf.textures.entries()) {
-    need(texture.source, 'images', `textures[${i}].source`);
+    need(imageIndex(texture), 'images', `textures[${i}].source`);
     need(texture.sampler, 'samplers', `textures[${i}].sampler`);
   }
   need(gltf.scene, 'scenes', 'scene');

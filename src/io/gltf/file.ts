@@ -6,10 +6,11 @@
 import { decodeDataUrl } from '../../scene/base64.ts';
 import { shortened } from '../../scene/error.ts';
 import { schemaIssues } from '../../scene/validate.ts';
+import { type Companions, findCompanion, imageType, pathIn } from '../meshes/companions.ts';
 import { checkGltf, meshoptOf } from './check.ts';
 import { GltfError } from './error.ts';
 import { isGlb, padded, readGlb, writeGlb } from './glb.ts';
-import { type Gltf, gltfSchema } from './schema.ts';
+import { type Gltf, gltfSchema, imageIndex } from './schema.ts';
 
 export interface GltfFile {
   name: string;
@@ -17,9 +18,6 @@ export interface GltfFile {
   /** The only buffer. */
   binary: Uint8Array;
 }
-
-/** Files that came together, such as a dropped folder: bytes by path. */
-export type Companions = ReadonlyMap<string, Uint8Array>;
 
 /** Throws GltfError, and nothing else, whatever the bytes are. */
 export function readGltf(bytes: Uint8Array, name: string, companions: Companions = new Map()): GltfFile {
@@ -57,16 +55,6 @@ export function textureImage(file: GltfFile, texture: number): { bytes: Uint8Arr
   return { bytes, mediaType: image.mimeType ?? 'image/png' };
 }
 
-/** WebP and AVIF come by extension; KTX2 textures have no other source and give undefined. */
-export function imageIndex(texture: Gltf['textures'][number]): number | undefined {
-  for (const name of ['EXT_texture_webp', 'EXT_texture_avif']) {
-    const extension = texture.extensions?.[name];
-    if (typeof extension === 'object' && extension !== null && 'source' in extension)
-      if (typeof extension.source === 'number') return extension.source;
-  }
-  return texture.source;
-}
-
 function parse(bytes: Uint8Array, name: string): Gltf {
   let json: unknown;
   try {
@@ -89,33 +77,13 @@ function resolve(uri: string, path: string, name: string, companions: Companions
   if (embedded !== null) return embedded;
   if (/^[a-z][a-z0-9+.-]*:/i.test(uri))
     throw new GltfError(name, `${path}: refers to ${shortened(uri)}, which is not fetched`);
-  let wanted = uri;
-  try {
-    wanted = decodeURIComponent(uri);
-  } catch {
-    // Not an escaped name: taken as it is.
-  }
-  wanted = wanted.replace(/^(\.\/)+/, '');
-  const last = wanted.replace(/^.*\//, '');
-  for (const [file, bytes] of companions)
-    if (file === wanted || file.endsWith(`/${wanted}`) || file === last)
-      return { bytes, mediaType: mediaTypeOf(last) };
+  const found = findCompanion(companions, uri);
+  if (found !== null) return { bytes: found.bytes, mediaType: imageType(found.path) };
   throw new GltfError(
     name,
-    `${path}: needs the file ${shortened(wanted)}; open or drop it together with this one`,
+    `${path}: needs the file ${shortened(pathIn(uri))}; open or drop it together with this one, as a folder or a zip`,
   );
 }
-
-const mediaTypes: Readonly<Record<string, string>> = {
-  png: 'image/png',
-  jpg: 'image/jpeg',
-  jpeg: 'image/jpeg',
-  webp: 'image/webp',
-  avif: 'image/avif',
-  ktx2: 'image/ktx2',
-};
-const mediaTypeOf = (file: string): string =>
-  mediaTypes[file.replace(/^.*\./, '').toLowerCase()] ?? 'application/octet-stream';
 
 /** All buffers and image files as one buffer. */
 function embed(json: Gltf, parts: Uint8Array[], name: string, companions: Companions) {

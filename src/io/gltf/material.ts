@@ -1,20 +1,22 @@
 /**
- * glTF materials as `principled`. Section numbers are glTF 2.0's; extensions are Khronos's. What
+ * glTF materials as `principled`, or `principled-bsdf` where light goes through. Section numbers are glTF 2.0's; extensions are Khronos's. What
  * has no counterpart is told in a note.
  */
 import { MathUtils } from 'three/webgpu';
 import { z } from 'zod';
 import { materialDefaults, textureRef } from '../../scene/material-schema.ts';
 import type { Material, ScaledTextureRef, TextureRef } from '../../scene/schema.ts';
-import { imageIndex } from './file.ts';
+import { applyLayers, type Layers, makeUnlit } from '../material-layers.ts';
 import type { Notes } from './notes.ts';
 import {
   type Gltf,
   type GltfMaterial,
   type GltfTextureInfo,
+  imageIndex,
   textureInfoSchema,
   transformSchema,
 } from './schema.ts';
+import { fromKhr, isApproximate } from './transform.ts';
 
 type Rgb = [number, number, number];
 
@@ -24,16 +26,6 @@ const unnamed: GltfMaterial = {
   alphaMode: 'OPAQUE',
   alphaCutoff: 0.5,
   doubleSided: false,
-};
-
-const unmapped: Readonly<Record<string, string>> = {
-  KHR_materials_transmission: 'transmission',
-  KHR_materials_volume: 'volume',
-  KHR_materials_iridescence: 'iridescence',
-  KHR_materials_dispersion: 'dispersion',
-  KHR_materials_diffuse_transmission: 'diffuse transmission',
-  KHR_materials_unlit: 'unlit shading',
-  KHR_materials_pbrSpecularGlossiness: 'the specular-glossiness workflow',
 };
 
 /** `asset` is the id of the file among the document's assets. */
@@ -82,9 +74,9 @@ export function convertMaterial(
   setTexture(material, 'metallic', texture(pbr?.metallicRoughnessTexture, { channel: 'b' }));
   setTexture(material, 'roughness', texture(pbr?.metallicRoughnessTexture, { channel: 'g' }));
   setEmission(material, source);
-  setExtensions(material, source, texture, notes);
-  for (const [extension, what] of Object.entries(unmapped))
-    if (source.extensions?.[extension] !== undefined) notes.add(`${name}: ${what} has no counterpart`);
+  setSpecularGlossiness(material, source.extensions, texture, notes);
+  applyLayers(material, layersOf(source.extensions, texture), notes);
+  if (source.extensions?.KHR_materials_unlit !== undefined) makeUnlit(material, notes);
   return material;
 }
 
@@ -103,76 +95,134 @@ function setEmission(material: Material, { emissiveFactor, extensions }: GltfMat
   material.emissiveIntensity = MathUtils.clamp(brightest * (strength?.emissiveStrength ?? 1), 0, 1e9);
 }
 
-function setExtensions(
+/** KHR_materials_* */
+function layersOf(
+  extensions: GltfMaterial['extensions'],
+  texture: (info: GltfTextureInfo | undefined, values: Partial<TextureRef>) => TextureRef | null,
+): Layers {
+  const map = textureInfoSchema.optional();
+  const number = (value: number) => z.number().default(value);
+  const rgb = (value: number) => z.tuple([z.number(), z.number(), z.number()]).default([value, value, value]);
+  const ext = <S extends z.ZodRawShape>(name: string, shape: S) =>
+    read(extensions, `KHR_materials_${name}`, shape);
+
+  const coat = ext('clearcoat', {
+    clearcoatFactor: number(0),
+    clearcoatTexture: map,
+    clearcoatRoughnessFactor: number(0),
+    clearcoatNormalTexture: map,
+  });
+  const sheen = ext('sheen', {
+    sheenColorFactor: rgb(0),
+    sheenColorTexture: map,
+    sheenRoughnessFactor: number(0),
+  });
+  const specular = ext('specular', {
+    specularFactor: number(1),
+    specularTexture: map,
+    specularColorFactor: rgb(1),
+  });
+  const transmission = ext('transmission', { transmissionFactor: number(0), transmissionTexture: map });
+  const volume = ext('volume', {
+    thicknessFactor: number(0),
+    attenuationColor: rgb(1),
+    attenuationDistance: number(Number.MAX_VALUE),
+  });
+  const diffuse = ext('diffuse_transmission', {
+    diffuseTransmissionFactor: number(0),
+    diffuseTransmissionColorFactor: rgb(1),
+  });
+  const anisotropy = ext('anisotropy', {
+    anisotropyStrength: number(0),
+    anisotropyRotation: number(0),
+    anisotropyTexture: map,
+  });
+  const distance = volume?.attenuationDistance ?? Number.MAX_VALUE;
+  return {
+    clearcoat: {
+      factor: coat?.clearcoatFactor ?? 0,
+      roughness: coat?.clearcoatRoughnessFactor ?? 0,
+      texture: texture(coat?.clearcoatTexture, { channel: 'r' }),
+      hasNormalMap: coat?.clearcoatNormalTexture !== undefined,
+    },
+    sheen: {
+      color: sheen?.sheenColorFactor ?? [0, 0, 0],
+      roughness: sheen?.sheenRoughnessFactor ?? 0,
+      texture: texture(sheen?.sheenColorTexture, { channel: 'g', colorSpace: 'srgb' }),
+    },
+    specular: {
+      ior: ext('ior', { ior: number(1.5) })?.ior ?? 1.5,
+      factor: specular?.specularFactor ?? 1,
+      color: specular?.specularColorFactor ?? [1, 1, 1],
+      texture: texture(specular?.specularTexture, { channel: 'a' }),
+    },
+    transmission: {
+      factor: transmission?.transmissionFactor ?? 0,
+      texture: texture(transmission?.transmissionTexture, { channel: 'r' }),
+    },
+    volume: {
+      thickness: volume?.thicknessFactor ?? 0,
+      color: volume?.attenuationColor ?? [1, 1, 1],
+      distance: distance < Number.MAX_VALUE ? distance : Number.POSITIVE_INFINITY,
+    },
+    diffuseTransmission: {
+      factor: diffuse?.diffuseTransmissionFactor ?? 0,
+      color: diffuse?.diffuseTransmissionColorFactor ?? [1, 1, 1],
+    },
+    anisotropy: {
+      strength: anisotropy?.anisotropyStrength ?? 0,
+      rotation: anisotropy?.anisotropyRotation ?? 0,
+      hasTexture: anisotropy?.anisotropyTexture !== undefined,
+    },
+    iridescence: ext('iridescence', { iridescenceFactor: number(0) })?.iridescenceFactor ?? 0,
+    dispersion: ext('dispersion', { dispersion: number(0) })?.dispersion ?? 0,
+  };
+}
+
+/**
+ * KHR_materials_pbrSpecularGlossiness, the older workflow, as metallic and roughness: by solving its blend of a dielectric
+ * of 4 % and a metal for the metal's part, as the extension's own sample conversion does.
+ */
+function setSpecularGlossiness(
   material: Material,
-  { extensions }: GltfMaterial,
+  extensions: GltfMaterial['extensions'],
   texture: (info: GltfTextureInfo | undefined, values: Partial<TextureRef>) => TextureRef | null,
   notes: Notes,
 ): void {
-  const { parameters, name } = material;
-  const map = textureInfoSchema.optional();
-
-  const coat = read(extensions, 'KHR_materials_clearcoat', {
-    clearcoatFactor: z.number().default(0),
-    clearcoatTexture: map,
-    clearcoatRoughnessFactor: z.number().default(0),
-    clearcoatNormalTexture: map,
+  const found = read(extensions, 'KHR_materials_pbrSpecularGlossiness', {
+    diffuseFactor: z.array(z.number()).length(4).default([1, 1, 1, 1]),
+    diffuseTexture: textureInfoSchema.optional(),
+    specularFactor: z.array(z.number()).length(3).default([1, 1, 1]),
+    glossinessFactor: z.number().default(1),
+    specularGlossinessTexture: textureInfoSchema.optional(),
   });
-  if (coat !== null && coat.clearcoatFactor > 0) {
-    parameters.clearcoat = coat.clearcoatFactor;
-    setTexture(material, 'clearcoat', texture(coat.clearcoatTexture, { channel: 'r' }));
-    // principled: alpha = mix(.1, .001, gloss); glTF: alpha = roughness^2.
-    const alpha = coat.clearcoatRoughnessFactor ** 2;
-    parameters.clearcoatGloss = MathUtils.clamp((0.1 - alpha) / 0.099, 0, 1);
-    if (alpha > 0.1) notes.add(`${name}: the clearcoat is rougher than principled's can be`);
-    if (coat.clearcoatNormalTexture) notes.add(`${name}: the clearcoat's own normal map has no counterpart`);
+  if (found === null) return;
+  const diffuse = found.diffuseFactor.slice(0, 3);
+  const map = texture(found.diffuseTexture, { colorSpace: 'srgb' });
+  setTexture(material, 'baseColor', map);
+  const roughness = MathUtils.clamp(1 - found.glossinessFactor, 0, 1);
+  if (found.specularGlossinessTexture) {
+    notes.add(
+      `${material.name}: its specular-glossiness map has no counterpart; it is taken for a dielectric`,
+    );
+    material.parameters = { baseColor: diffuse as Rgb, metallic: 0, roughness: 0.5 };
+    return;
   }
-
-  const sheen = read(extensions, 'KHR_materials_sheen', {
-    sheenColorFactor: z.tuple([z.number(), z.number(), z.number()]).default([0, 0, 0]),
-    sheenColorTexture: map,
+  const brightness = ([r = 0, g = 0, b = 0]: readonly number[]) =>
+    Math.sqrt(0.299 * r * r + 0.587 * g * g + 0.114 * b * b);
+  const specular = found.specularFactor;
+  const left = 1 - Math.max(...specular);
+  const dielectric = 0.04;
+  const b = (brightness(diffuse) * left) / (1 - dielectric) + brightness(specular) - 2 * dielectric;
+  const root = Math.sqrt(Math.max(0, b * b - 4 * dielectric * (dielectric - brightness(specular))));
+  const metallic =
+    brightness(specular) < dielectric ? 0 : MathUtils.clamp((root - b) / (2 * dielectric), 0, 1);
+  const baseColor = diffuse.map((value, c) => {
+    const fromDiffuse = (value * left) / (1 - dielectric) / Math.max(1 - metallic, 1e-6);
+    const fromSpecular = ((specular[c] ?? 0) - dielectric * (1 - metallic)) / Math.max(metallic, 1e-6);
+    return MathUtils.clamp(MathUtils.lerp(fromDiffuse, fromSpecular, metallic ** 2), 0, 1);
   });
-  const glow = Math.max(...(sheen?.sheenColorFactor ?? [0]));
-  if (sheen !== null && glow > 0) {
-    parameters.sheen = glow;
-    // principled tints between white and the base colour's hue: by how far the sheen is from grey.
-    parameters.sheenTint = MathUtils.clamp(1 - Math.min(...sheen.sheenColorFactor) / glow, 0, 1);
-    setTexture(material, 'sheen', texture(sheen.sheenColorTexture, { channel: 'g', colorSpace: 'srgb' }));
-    notes.add(`${name}: the sheen's roughness and its own colour have no counterpart`);
-  }
-
-  const { ior } = read(extensions, 'KHR_materials_ior', { ior: z.number().default(1.5) }) ?? { ior: 1.5 };
-  const specular = read(extensions, 'KHR_materials_specular', {
-    specularFactor: z.number().default(1),
-    specularTexture: map,
-    specularColorFactor: z.array(z.number()).default([1, 1, 1]),
-  });
-  // principled: R0 = .08 specular; R0 = ((n - 1) / (n + 1))^2. An ior of 0 stands for R0 = 1.
-  const reflectance = (ior > 0 ? ((ior - 1) / (ior + 1)) ** 2 : 1) * (specular?.specularFactor ?? 1);
-  if (Math.abs(reflectance - 0.04) > 1e-6) parameters.specular = reflectance / 0.08;
-  setTexture(material, 'specular', texture(specular?.specularTexture, { channel: 'a' }));
-  if (specular?.specularColorFactor.some((value) => value !== 1))
-    notes.add(`${name}: the colour of the specular reflection has no counterpart`);
-
-  setAnisotropy(material, extensions, notes);
-}
-
-function setAnisotropy(material: Material, extensions: GltfMaterial['extensions'], notes: Notes): void {
-  const found = read(extensions, 'KHR_materials_anisotropy', {
-    anisotropyStrength: z.number().default(0),
-    anisotropyRotation: z.number().default(0),
-    anisotropyTexture: textureInfoSchema.optional(),
-  });
-  if (found === null || !(found.anisotropyStrength > 0)) return;
-  const { parameters, name } = material;
-  // glTF: alpha_t = mix(alpha, 1, strength^2), alpha_b = alpha.
-  // principled: alpha_x / alpha_y = 1 / (1 - .9 anisotropic), alpha_x alpha_y = roughness^4.
-  const across = Math.max(Number(parameters.roughness) ** 2, 1e-3);
-  const along = MathUtils.lerp(across, 1, Math.min(found.anisotropyStrength, 1) ** 2);
-  parameters.anisotropic = MathUtils.clamp((1 - across / along) / 0.9, 0, 1);
-  if (material.textures.roughness === undefined) parameters.roughness = (across * along) ** 0.25;
-  if (found.anisotropyRotation !== 0) notes.add(`${name}: the rotation of the anisotropy has no counterpart`);
-  if (found.anisotropyTexture) notes.add(`${name}: the anisotropy's texture has no counterpart`);
+  material.parameters = { baseColor: baseColor as Rgb, metallic, roughness };
 }
 
 function read<S extends z.ZodRawShape>(extensions: GltfMaterial['extensions'], name: string, shape: S) {
@@ -197,7 +247,7 @@ function convertTexture(
 ): TextureRef | null {
   const found = gltf.textures[info.index];
   if (found === undefined || imageIndex(found) === undefined) {
-    notes.add(`textures[${info.index}] is in a format that is not read (PNG, JPEG, WebP and AVIF are)`);
+    notes.add(`textures[${info.index}] is in a format that is not read (PNG, JPEG, WebP, AVIF and KTX2 are)`);
     return null;
   }
   const sampler = gltf.samplers[found.sampler ?? -1];
@@ -210,27 +260,11 @@ function convertTexture(
     ...values,
   });
   const transform = transformSchema.safeParse(info.extensions?.KHR_texture_transform);
-  if (transform.success) setTransform(ref, transform.data, `textures[${info.index}]`, notes);
+  if (transform.success) {
+    Object.assign(ref, fromKhr(transform.data));
+    if (transform.data.texCoord !== undefined) ref.uv = transform.data.texCoord;
+    if (isApproximate(ref))
+      notes.add(`textures[${info.index}] is both rotated and scaled unevenly, which is approximated`);
+  }
   return ref;
-}
-
-/**
- * KHR_texture_transform has v downwards and rotates what has been scaled; here v is upwards
- * and what has been rotated is scaled. With p = (u, 1 - v):
- * p' = R S p + offset becomes a rotation by the opposite angle and the offset below.
- */
-function setTransform(
-  ref: TextureRef,
-  t: z.output<typeof transformSchema>,
-  name: string,
-  notes: Notes,
-): void {
-  const [sx, sy] = t.scale;
-  const [ox, oy] = t.offset;
-  const [cos, sin] = [Math.cos(t.rotation), Math.sin(t.rotation)];
-  ref.repeat = [sx, sy];
-  ref.rotation = MathUtils.radToDeg(-t.rotation) % 360;
-  ref.offset = [sin * sy + ox, 1 - cos * sy - oy];
-  if (t.texCoord !== undefined) ref.uv = t.texCoord;
-  if (sx !== sy && sin !== 0) notes.add(`${name} is both rotated and scaled unevenly, which is approximated`);
 }

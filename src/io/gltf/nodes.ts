@@ -24,11 +24,11 @@ type Vector = [number, number, number];
 export function convertNodes(gltf: Gltf, notes: Notes): GltfContents {
   const contents: GltfContents = { objects: [], lights: [], camera: null };
   const lights = lightsSchema.safeParse(gltf.extensions?.KHR_lights_punctual).data?.lights ?? [];
-  for (const { index, node, world } of walk(gltf)) {
-    addMesh(contents, gltf, index, node, world, notes);
+  for (const { index, node, world, visible } of walk(gltf)) {
+    addMesh(contents, gltf, index, node, world, visible, notes);
     const punctual = node.extensions?.KHR_lights_punctual as { light?: unknown } | undefined;
     const light = typeof punctual?.light === 'number' ? lights[punctual.light] : undefined;
-    if (light !== undefined) contents.lights.push(convertLight(light, node, world));
+    if (light !== undefined) contents.lights.push({ ...convertLight(light, node, world), visible });
     if (node.camera !== undefined && contents.camera === null)
       contents.camera = convertCamera(gltf.cameras[node.camera], world, notes);
     if (node.extensions?.EXT_mesh_gpu_instancing)
@@ -38,20 +38,26 @@ export function convertNodes(gltf: Gltf, notes: Notes): GltfContents {
 }
 
 /** Every node of the scene with its world matrix, parents first. Without recursion: depth is the file's. */
-function* walk(gltf: Gltf): Generator<{ index: number; node: GltfNode; world: THREE.Matrix4 }> {
+function* walk(
+  gltf: Gltf,
+): Generator<{ index: number; node: GltfNode; world: THREE.Matrix4; visible: boolean }> {
   const children = new Set(gltf.nodes.flatMap((node) => node.children));
   const roots =
     gltf.scenes[gltf.scene ?? 0]?.nodes ?? [...gltf.nodes.keys()].filter((index) => !children.has(index));
-  const pending = [...roots].reverse().map((index) => ({ index, parent: new THREE.Matrix4() }));
+  const pending = [...roots].reverse().map((index) => ({ index, parent: new THREE.Matrix4(), shown: true }));
   const seen = new Set<number>();
   for (let next = pending.pop(); next !== undefined; next = pending.pop()) {
-    const { index, parent } = next;
+    const { index, parent, shown } = next;
     const node = gltf.nodes[index];
     if (node === undefined || seen.has(index)) continue;
     seen.add(index);
     const world = localMatrix(node).premultiply(parent);
-    yield { index, node, world };
-    for (const child of [...node.children].reverse()) pending.push({ index: child, parent: world });
+    // KHR_node_visibility: what is below a hidden node is hidden, too.
+    const visibility = node.extensions?.KHR_node_visibility as { visible?: unknown } | undefined;
+    const visible = shown && visibility?.visible !== false;
+    yield { index, node, world, visible };
+    for (const child of [...node.children].reverse())
+      pending.push({ index: child, parent: world, shown: visible });
   }
 }
 
@@ -73,6 +79,7 @@ function addMesh(
   index: number,
   node: GltfNode,
   world: THREE.Matrix4,
+  visible: boolean,
   notes: Notes,
 ): void {
   const mesh = node.mesh === undefined ? undefined : gltf.meshes[node.mesh];
@@ -91,7 +98,7 @@ function addMesh(
     if (attributes.COLOR_0 !== undefined) notes.add(`${name}: its vertex colours are not read`);
     const part = mesh.primitives.length > 1 ? ` ${primitive + 1}` : '';
     contents.objects.push({
-      object: { name: name + part, visible: true, ...place },
+      object: { name: name + part, visible, ...place },
       node: index,
       primitive,
       material,

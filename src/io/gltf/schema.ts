@@ -167,3 +167,13 @@ export type Gltf = z.output<typeof gltfSchema>;
 export type GltfNode = Gltf['nodes'][number];
 export type GltfMaterial = Gltf['materials'][number];
 export type GltfTextureInfo = z.output<typeof textureInfoSchema>;
+
+/** WebP, AVIF and KTX2 come by extension. */
+export function imageIndex(texture: Gltf['textures'][number]): number | undefined {
+  for (const name of ['EXT_texture_webp', 'EXT_texture_avif', 'KHR_texture_basisu']) {
+    const extension = texture.extensions?.[name];
+    if (typeof extension === 'object' && extension !== null && 'source' in extension)
+      if (typeof extension.source === 'number') return extension.source;
+  }
+  return texture.source;
+}

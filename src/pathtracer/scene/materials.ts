@@ -3,6 +3,7 @@ import { resolveParameters } from '../../brdf/values.ts';
 import { luminance } from '../../color/rec709.ts';
 import type { Model } from '../../glsl/model.ts';
 import type { Material, ScaledTextureRef } from '../../scene/schema.ts';
+import type { Texels } from '../../scene/texels.ts';
 import type { TabulatedMaterial } from './generic-table.ts';
 import {
   CHANNEL_SHIFT,
@@ -12,7 +13,6 @@ import {
   MATERIAL_FLAGS,
   MATERIAL_SLOTS,
 } from './layout.ts';
-import type { Texels } from './texels.ts';
 import { type Rgba, type Texture, type TextureTable, texelSampler } from './textures.ts';
 import type { Words } from './words.ts';
 

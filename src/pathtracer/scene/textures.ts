@@ -3,9 +3,9 @@ import { luminance } from '../../color/rec709.ts';
 import type { AssetLoader } from '../../scene/assets.ts';
 import { materialMaps } from '../../scene/material-schema.ts';
 import type { Asset, Document, Material, TextureRef } from '../../scene/schema.ts';
+import { readTexels, type Texels } from '../../scene/texels.ts';
 import { FORMAT_SHIFT, FORMATS, TEXTURE_SLOTS, UV_SHIFT, WRAPS } from './layout.ts';
 import { srgbTable } from './srgb.ts';
-import { readTexels, type Texels } from './texels.ts';
 import type { Words } from './words.ts';
 
 /** The images of a document's materials, each read once for as long as its asset is in use. */

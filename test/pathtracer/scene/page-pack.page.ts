@@ -1,8 +1,8 @@
 import { ScenePacker } from '../../../src/pathtracer/scene/pack.ts';
-import { readTexels } from '../../../src/pathtracer/scene/texels.ts';
 import { AssetLoader } from '../../../src/scene/assets.ts';
 import { parseDocument } from '../../../src/scene/document.ts';
 import { pageAssets } from '../../../src/scene/page-assets.ts';
+import { readTexels } from '../../../src/scene/texels.ts';
 
 /** Texels of an image as a page reads them, and a scene with that image packed in the page. */
 export default async function packInPage({ png, document }: { png: string; document: object }) {

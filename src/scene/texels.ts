@@ -1,4 +1,4 @@
-import type { TextureImage } from '../../scene/assets.ts';
+import type { TextureImage } from './assets.ts';
 
 export interface Texels {
   /** RGBA bytes as stored, alpha not multiplied in; row 0 is v = 0. */

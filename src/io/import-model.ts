@@ -1,0 +1,53 @@
+/** Model files of any format that is read here, into a document. */
+import type { AssetLoader } from '../scene/assets.ts';
+import { Notes } from './gltf/notes.ts';
+import { type ImportedModel, type ImportOptions, importConverted, importGltf } from './gltf.ts';
+import { convertObj, convertPly, convertStl } from './meshes/convert.ts';
+import { ModelFileError } from './meshes/error.ts';
+import { isObjectScene, readObjectScene } from './object-scene/read.ts';
+
+/** How the names of model files end; three.js's scenes end in .json as documents do, and are told by what is inside. */
+export const modelExtensions = ['glb', 'gltf', 'obj', 'ply', 'stl'] as const;
+
+export const isModelFile = (name: string): boolean =>
+  modelExtensions.some((extension) => name.toLowerCase().endsWith(`.${extension}`));
+
+/**
+ * Reads, checks and decodes all of a model before there is a recipe to apply: a broken file changes nothing.
+ *
+ * @throws GltfError, ModelFileError or ByteError, which name the file and the place in it
+ */
+export async function importModel(
+  bytes: Uint8Array,
+  path: string,
+  assets: AssetLoader,
+  options: ImportOptions = {},
+): Promise<ImportedModel> {
+  const file = path.replace(/^.*[/\\]/, '');
+  const extension = /\.([a-z0-9]+)$/i.exec(file)?.[1]?.toLowerCase();
+  if (extension === 'glb' || extension === 'gltf') return importGltf(bytes, file, assets, options);
+  const { companions = new Map(), onProgress } = options;
+  const notes = new Notes();
+  switch (extension) {
+    case 'obj':
+      return importConverted(convertObj(bytes, file, companions, notes), file, assets, notes, onProgress);
+    case 'ply':
+      return importConverted(convertPly(bytes, file, notes), file, assets, notes, onProgress);
+    case 'stl':
+      return importConverted(convertStl(bytes, file), file, assets, notes, onProgress);
+    default:
+      throw new ModelFileError(file, '', `not a kind of model that is read: ${modelExtensions.join(', ')}`);
+  }
+}
+
+/** A three.js scene whose JSON is parsed already; null if it is something else. */
+export async function importObjectScene(
+  json: unknown,
+  file: string,
+  assets: AssetLoader,
+  { companions = new Map(), onProgress }: ImportOptions = {},
+): Promise<ImportedModel | null> {
+  if (!isObjectScene(json)) return null;
+  const notes = new Notes();
+  return importConverted(readObjectScene(json, file, companions, notes), file, assets, notes, onProgress);
+}

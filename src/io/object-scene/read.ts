@@ -1,0 +1,222 @@
+/**
+ * A three.js scene file as a GLB of its geometries and images, with materials, lights and a camera of a document. Groups
+ * are flattened: every mesh stands where the scene puts it.
+ */
+import * as THREE from 'three/webgpu';
+import { schemaIssues } from '../../scene/validate.ts';
+import type { Notes } from '../gltf/notes.ts';
+import { GltfWriter } from '../gltf/writer.ts';
+import type { Companions } from '../meshes/companions.ts';
+import type { Converted } from '../meshes/converted.ts';
+import { ModelFileError } from '../meshes/error.ts';
+import { writeAttributes } from '../meshes/mesh.ts';
+import { TextureWriter } from '../meshes/textures.ts';
+import { readGeometry, type SourceGeometry } from './geometry.ts';
+import { sceneCamera, sceneLight } from './lights.ts';
+import { sceneMaterial } from './material.ts';
+import { objectSchema, type SourceObject, type SourceScene, sceneSchema } from './schema.ts';
+import { SceneTextures } from './textures.ts';
+
+/** A document's objects end there. */
+const MOST_OBJECTS = 20_000;
+
+/** Whether a file's JSON is a scene, an object or a geometry of three.js, or a project of its editor. */
+export function isObjectScene(json: unknown): boolean {
+  const metadata = (json as { metadata?: { type?: unknown } } | null)?.metadata;
+  return ['Object', 'BufferGeometry', 'Geometry', 'App', 'Scene'].includes(String(metadata?.type ?? ''));
+}
+
+/** @throws ModelFileError with the path of the field that is wrong */
+export function readObjectScene(
+  json: unknown,
+  file: string,
+  companions: Companions,
+  notes: Notes,
+): Converted {
+  const scene = parse(json, file);
+  const writer = new GltfWriter();
+  const textures = new SceneTextures(scene, new TextureWriter(writer, companions, notes), notes);
+  const converted: Converted = { glb: new Uint8Array(0), materials: [], lights: [], camera: null };
+  const geometries = new Map(scene.geometries.map((entry, index) => [entry.uuid, { entry, index }]));
+  const made = new Map<string, Written>();
+  const sources = new Map(scene.materials.map((material, index) => [material.uuid, { material, index }]));
+  const materialIndices = new Map<string, number>();
+  const materialOf = (uuid: string | undefined): number | undefined => {
+    const source = sources.get(uuid ?? '');
+    if (uuid === undefined || source === undefined) return undefined;
+    const known = materialIndices.get(uuid);
+    if (known !== undefined) return known;
+    const material = sceneMaterial(source.material, source.index, textures, notes);
+    if (source.material.vertexColors === true || source.material.vertexColors === 2)
+      notes.add(`${material.name}: its vertex colours are not read`);
+    const index = converted.materials.push(material) - 1;
+    writer.add('materials', { name: material.name });
+    materialIndices.set(uuid, index);
+    return index;
+  };
+
+  const places = placesOf(scene, file);
+  const byUuid = new Map(places.map((place) => [place.object.uuid, place.world]));
+  let objects = 0;
+  for (const place of places) {
+    const { object, world, visible } = place;
+    const light = sceneLight(object, world, byUuid.get(object.target));
+    if (light) converted.lights.push({ ...light, visible });
+    converted.camera ??= sceneCamera(object, world);
+    if (/^(Line|Points|Sprite)/.test(object.type))
+      notes.add('its lines, points and sprites have no surface and are left out');
+    else if (/Camera$/.test(object.type) && object.type !== 'PerspectiveCamera')
+      notes.add(`a camera of type ${object.type} is left out`);
+    if (object.geometry === undefined || !/Mesh$/.test(object.type)) continue;
+    const geometry = geometries.get(object.geometry);
+    if (geometry === undefined)
+      throw new ModelFileError(file, place.path, `there is no geometry ${object.geometry.slice(0, 80)}`);
+    let written = made.get(object.geometry);
+    if (written === undefined) {
+      const data = readGeometry(geometry.entry, geometry.index, scene.shapes, file);
+      written = { data, meshes: new Map(), attributes: writeAttributes(writer, data) };
+      made.set(object.geometry, written);
+    }
+    noteLosses(object, written.data, notes);
+    const materials = [object.material ?? []].flat().map(materialOf);
+    const mesh = writeMesh(writer, written, materials);
+    for (const matrix of instancesOf(object, world)) {
+      objects += 1;
+      if (objects > MOST_OBJECTS)
+        throw new ModelFileError(file, place.path, `more than ${MOST_OBJECTS} objects`);
+      writer.add('nodes', {
+        name: object.name || written.data.name || `Mesh ${objects}`,
+        mesh,
+        matrix: matrix.toArray(),
+        ...(!visible && { extensions: { KHR_node_visibility: { visible: false } } }),
+      });
+    }
+  }
+  converted.glb = writer.finish();
+  return converted;
+}
+
+function parse(json: unknown, file: string): SourceScene {
+  const { metadata, scene } = json as { metadata?: { type?: unknown }; scene?: unknown };
+  let whole: unknown = json;
+  // A project of three.js's editor has its scene inside; a geometry alone becomes a mesh of it.
+  if (metadata?.type === 'App') whole = scene;
+  else if (metadata?.type === 'BufferGeometry')
+    whole = {
+      geometries: [{ uuid: 'geometry', ...(json as object) }],
+      object: { type: 'Mesh', name: 'Mesh', geometry: (json as { uuid?: string }).uuid ?? 'geometry' },
+    };
+  else if (metadata?.type === 'Geometry' || metadata?.type === 'Scene')
+    throw new ModelFileError(
+      file,
+      'metadata',
+      'a format of three.js before 2015, which three.js itself no longer reads; open and save it with an old version',
+    );
+  const result = sceneSchema.safeParse(whole);
+  if (result.success) return result.data;
+  const [issue] = schemaIssues(result.error);
+  throw new ModelFileError(file, issue?.path ?? '', `not a scene of three.js: ${issue?.message}`);
+}
+
+interface Place {
+  object: SourceObject;
+  world: THREE.Matrix4;
+  visible: boolean;
+  path: string;
+}
+
+/** Every object with its world matrix, parents first. Without recursion: the depth is the file's. */
+function placesOf(scene: SourceScene, file: string): Place[] {
+  const places: Place[] = [];
+  const pending = [
+    { value: scene.object as unknown, parent: new THREE.Matrix4(), visible: true, path: 'object' },
+  ];
+  for (let next = pending.pop(); next !== undefined; next = pending.pop()) {
+    const { value, parent, path } = next;
+    const result = objectSchema.safeParse(value);
+    if (!result.success) {
+      const [issue] = schemaIssues(result.error);
+      throw new ModelFileError(file, `${path}.${issue?.path}`, `${issue?.message}`);
+    }
+    const object = result.data;
+    const world = localMatrix(object).premultiply(parent);
+    if (!world.elements.every(Number.isFinite))
+      throw new ModelFileError(file, path, 'its place is not made of finite numbers');
+    const visible = next.visible && object.visible;
+    places.push({ object, world, visible, path });
+    for (let i = object.children.length - 1; i >= 0; i--)
+      pending.push({ value: object.children[i], parent: world, visible, path: `${path}.children[${i}]` });
+  }
+  return places;
+}
+
+function localMatrix({ matrix, position, rotation, quaternion, scale }: SourceObject): THREE.Matrix4 {
+  if (matrix !== undefined) return new THREE.Matrix4().fromArray(matrix);
+  const turn = new THREE.Quaternion();
+  if (quaternion !== undefined) turn.set(...quaternion).normalize();
+  else if (rotation !== undefined)
+    turn.setFromEuler(
+      new THREE.Euler(Number(rotation[0]) || 0, Number(rotation[1]) || 0, Number(rotation[2]) || 0),
+    );
+  return new THREE.Matrix4().compose(
+    new THREE.Vector3(...(position ?? [0, 0, 0])),
+    turn,
+    new THREE.Vector3(...(scale ?? [1, 1, 1])),
+  );
+}
+
+function instancesOf(object: SourceObject, world: THREE.Matrix4): THREE.Matrix4[] {
+  const { type, instanceMatrix } = object;
+  if (type !== 'InstancedMesh' || !instanceMatrix) return [world];
+  const count = Math.min(
+    object.count ?? Number.POSITIVE_INFINITY,
+    Math.floor(instanceMatrix.array.length / 16),
+  );
+  return Array.from({ length: Math.min(count, MOST_OBJECTS + 1) }, (_, i) =>
+    new THREE.Matrix4().fromArray(instanceMatrix.array, 16 * i).premultiply(world),
+  );
+}
+
+function noteLosses({ name, type }: SourceObject, data: SourceGeometry, notes: Notes): void {
+  const called = name || data.name || 'a mesh';
+  if (data.hasColors) notes.add(`${called}: its vertex colours are not read`);
+  if (data.hasMorphs) notes.add(`${called}: its morph targets are not read`);
+  if (type === 'SkinnedMesh') notes.add(`${called}: its skeleton is not read; it is shown in its bind pose`);
+  if (type === 'BatchedMesh') notes.add(`${called}: a BatchedMesh is shown as one mesh where it lies`);
+}
+
+interface Written {
+  data: SourceGeometry;
+  attributes: ReturnType<typeof writeAttributes>;
+  /** By the materials that they have. */
+  meshes: Map<string, number>;
+}
+
+/** The same geometry with the same materials is one mesh. */
+function writeMesh(writer: GltfWriter, written: Written, materials: readonly (number | undefined)[]): number {
+  const key = JSON.stringify(materials.map((material) => material ?? null));
+  const known = written.meshes.get(key);
+  if (known !== undefined) return known;
+  const { data, attributes } = written;
+  const vertices = data.positions.length / 3;
+  const all =
+    data.indices ??
+    (data.groups.length > 0 ? Uint32Array.from({ length: vertices }, (_, i) => i) : undefined);
+  const whole = [{ start: 0, count: all?.length ?? vertices, materialIndex: 0 }];
+  // Groups say which material covers what, and with one material nothing.
+  const groups = materials.length > 1 && data.groups.length > 0 ? data.groups : whole;
+  const primitives = groups
+    .filter(({ count }) => count >= 3)
+    .map(({ start, count, materialIndex }) => {
+      const material = materials[materialIndex];
+      return {
+        attributes,
+        ...(all && { indices: writer.indices(all.slice(start, start + count), vertices) }),
+        ...(material !== undefined && { material }),
+      };
+    });
+  if (primitives.length === 0) primitives.push({ attributes });
+  const mesh = writer.add('meshes', { primitives });
+  written.meshes.set(key, mesh);
+  return mesh;
+}
