@@ -1,15 +1,17 @@
+import { property } from 'three/tsl';
 import type { Node, NodeBuilder } from 'three/webgpu';
-import type { ShadingFrame } from './shading-frame.ts';
 
-/** What a fragment's shading hands to those who look into it: `context.fragmentData`, filled while a shader is built. */
-export interface FragmentData {
-  frame: ShadingFrame | null;
+/**
+ * What a fragment's shading hands to those who look into it: variables of the shader, set while it shades where
+ * `context.fragmentData` is true.
+ */
+export const fragmentData = {
+  /** The tangent that the model is given, in view space. */
+  tangent: property('vec3', 'shadedTangent') as Node<'vec3'>,
   /** How many lamps reach the fragment. */
-  lights: Node<'float'> | null;
-}
+  lamps: property('float', 'shadedLamps') as Node<'float'>,
+};
 
-/** null where nobody looks. */
-export function fragmentData(builder: NodeBuilder): FragmentData | null {
-  const { fragmentData } = builder.context as { fragmentData?: FragmentData };
-  return fragmentData ?? null;
+export function wantsFragmentData(builder: NodeBuilder): boolean {
+  return (builder.context as { fragmentData?: boolean }).fragmentData === true;
 }

@@ -3,7 +3,7 @@ import { type Light, LightingModel, type Node, type NodeBuilder } from 'three/we
 import type { Model } from '../glsl/model.ts';
 import { modelFunctionByLight, type ParameterNodes, type SplitCall } from '../glsl/tsl.ts';
 import type { EnvironmentLightNode } from './environment-light.ts';
-import { type FragmentData, fragmentData } from './fragment-data.ts';
+import { fragmentData, wantsFragmentData } from './fragment-data.ts';
 import { frameContext } from './frame-context.ts';
 import { lightFromEverywhere } from './light-from-everywhere.ts';
 import { nonNegative } from './non-negative.ts';
@@ -15,6 +15,7 @@ type Vec3 = Node<'vec3'>;
 type Float = Node<'float'>;
 
 interface Assignable {
+  assign(value: Node): void;
   addAssign(value: Node): void;
 }
 
@@ -43,7 +44,7 @@ export class BrdfLightingModel extends LightingModel {
   private readonly brdf: SplitCall;
   private readonly sampler: Sampler;
   private frame: ShadingFrame | null = null;
-  private data: FragmentData | null = null;
+  private wantsData = false;
 
   constructor(options: LightingOptions) {
     super();
@@ -55,8 +56,11 @@ export class BrdfLightingModel extends LightingModel {
   override start(builder: NodeBuilder): void {
     this.frame = shadingFrame(builder, this.options.model);
     const { V, N, X, Y } = this.frame;
-    this.data = fragmentData(builder);
-    if (this.data) Object.assign(this.data, { frame: this.frame, lights: float(0).toVar() });
+    this.wantsData = wantsFragmentData(builder);
+    if (this.wantsData) {
+      (fragmentData.tangent as unknown as Assignable).assign(X);
+      (fragmentData.lamps as unknown as Assignable).assign(float(0));
+    }
     run(this.brdf.perView(V, N, X, Y));
     // Lights add to these inside branches: they must be declared, and 0, before the first of them.
     const { reflectedLight } = builder.context as unknown as {
@@ -69,7 +73,7 @@ export class BrdfLightingModel extends LightingModel {
 
   /** One more lamp reaches the fragment. */
   private count(): void {
-    (this.data?.lights as Assignable | null | undefined)?.addAssign(float(1));
+    if (this.wantsData) (fragmentData.lamps as unknown as Assignable).addAssign(float(1));
   }
 
   private f(L: Vec3): Vec3 {

@@ -18,7 +18,7 @@ import {
   type WebGPURenderer,
 } from 'three/webgpu';
 import { BrdfMaterial } from '../material/brdf-material.ts';
-import type { FragmentData } from '../material/fragment-data.ts';
+import { fragmentData } from '../material/fragment-data.ts';
 import type { View } from '../scene/schema.ts';
 import type { FrameInputs } from './frame/inputs.ts';
 import { Pass } from './frame/pass.ts';
@@ -50,11 +50,11 @@ export class DataViews {
     if (!OF_MATERIALS.includes(show)) return {};
     let context = this.#contexts.get(show);
     if (!context) {
-      const data: FragmentData = { frame: null, lights: null };
       context = {
-        fragmentData: data,
+        fragmentData: true,
+        // three.js has shaded already, into its variable `output`: what the material has set on the way is there.
         getOutput: (own: Node, builder: NodeBuilder) =>
-          builder.material instanceof BrdfMaterial ? vec4(this.#ofMaterial(show, data, builder), 1) : own,
+          builder.material instanceof BrdfMaterial ? vec4(this.#ofMaterial(show, builder), 1) : own,
       };
       this.#contexts.set(show, context);
     }
@@ -112,9 +112,9 @@ export class DataViews {
     return vec4(vec3(distance), 1).mul(isSurface);
   }
 
-  #ofMaterial(show: Show, data: FragmentData, builder: NodeBuilder): Vec3 {
-    if (show === 'lights') return vec3(data.lights ?? float(0)) as Vec3;
-    if (show === 'tangents') return this.#toWorld(data.frame?.X ?? vec3(0));
+  #ofMaterial(show: Show, builder: NodeBuilder): Vec3 {
+    if (show === 'lights') return vec3(fragmentData.lamps) as Vec3;
+    if (show === 'tangents') return this.#toWorld(fragmentData.tangent);
     if (show === 'shadingNormals') return this.#toWorld(normalView as Vec3);
     const has = (builder as unknown as { geometry: { hasAttribute(name: string): boolean } }).geometry;
     return has.hasAttribute('uv') ? (vec3(uv(), 0) as Vec3) : (vec3(0) as Vec3);

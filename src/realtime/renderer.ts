@@ -169,7 +169,7 @@ export class RealtimeRenderer {
     this.#follow(settings);
     if (this.#effects.needsSurfaces || this.#dataViews.needsSurfaces(show))
       this.#inputs.surfaces.render(three, scene, camera, width, height);
-    this.#effects.beforeScene(three);
+    this.#effects.beforeScene(three, scene, camera);
     if (showsLight(show)) {
       const [x, y] = this.#effects.jitter();
       this.#drawScene(scene, camera, (-2 * x) / width, (2 * y) / height);
@@ -311,8 +311,11 @@ export class RealtimeRenderer {
     const scaled = (length: number) => Math.max(1, Math.round(length * resolutionScale));
     const radiance = { width: scaled(width), height: scaled(height) };
     this.#radiance.setSize(radiance.width, radiance.height);
-    if (camera.aspect !== width / height) {
+    const { coordinateSystem } = this.three;
+    if (camera.aspect !== width / height || camera.coordinateSystem !== coordinateSystem) {
       camera.aspect = width / height;
+      // three.js would find out only when it draws: depth is 0..1 on WebGPU and -1..1 on WebGL.
+      camera.coordinateSystem = coordinateSystem;
       camera.updateProjectionMatrix();
     }
     return radiance;

@@ -1,6 +1,6 @@
 /** The effects of the present frame: builds those that are switched on, keeps them while they stay, and has them draw. */
 import { context } from 'three/tsl';
-import type { RenderTarget, WebGPURenderer } from 'three/webgpu';
+import type { PerspectiveCamera, RenderTarget, Scene, WebGPURenderer } from 'three/webgpu';
 import { effects as definitions } from '../effects/index.ts';
 import type { Effect, EffectDefinition, EffectSettings, FrameSettings } from './effect.ts';
 import type { FrameInputs } from './inputs.ts';
@@ -57,8 +57,8 @@ export class EffectChain {
     return [0, 0];
   }
 
-  beforeScene(three: WebGPURenderer): void {
-    for (const { effect } of this.#entries) effect.beforeScene?.(three);
+  beforeScene(three: WebGPURenderer, scene: Scene, camera: PerspectiveCamera): void {
+    for (const { effect } of this.#entries) effect.beforeScene?.(three, scene, camera);
   }
 
   afterScene(three: WebGPURenderer, radiance: RenderTarget): RenderTarget {

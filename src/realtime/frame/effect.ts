@@ -1,5 +1,5 @@
 /** What an effect is to the frame: a definition that says when it is there, and what it draws when it is. */
-import type { RenderTarget, WebGPURenderer } from 'three/webgpu';
+import type { PerspectiveCamera, RenderTarget, Scene, WebGPURenderer } from 'three/webgpu';
 import type { EffectName, Effects } from '../../scene/effects-schema.ts';
 import type { Camera, Document, Fog, View } from '../../scene/schema.ts';
 import type { FrameInputs } from './inputs.ts';
@@ -40,7 +40,7 @@ export interface Effect {
   /** Where in its pixel the scene is looked at, once a frame, in pixels from the middle: each within -0.5..0.5. */
   jitter?(): readonly [x: number, y: number];
   /** Draws what the scene's materials read, when the surfaces are known and the scene is not drawn yet. */
-  beforeScene?(renderer: WebGPURenderer): void;
+  beforeScene?(renderer: WebGPURenderer, scene: Scene, camera: PerspectiveCamera): void;
   /** What all materials are told: see FrameContext in src/material/frame-context.ts. */
   readonly context?: Readonly<Record<string, unknown>>;
   /** From linear radiance to linear radiance, in a target of its own. */
