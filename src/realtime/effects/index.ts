@@ -1,5 +1,8 @@
 /** Every effect, in the order in which they work on a frame. */
 import type { EffectDefinition } from '../frame/effect.ts';
 import { bloom } from './bloom.ts';
+import { fxaa } from './fxaa.ts';
+import { smaa } from './smaa.ts';
+import { temporal } from './temporal.ts';
 
-export const effects: readonly EffectDefinition[] = [bloom];
+export const effects: readonly EffectDefinition[] = [temporal, bloom, smaa, fxaa];
