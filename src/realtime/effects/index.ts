@@ -1,8 +1,9 @@
 /** Every effect, in the order in which they work on a frame. */
 import type { EffectDefinition } from '../frame/effect.ts';
+import { ambientOcclusion } from './ambient-occlusion.ts';
 import { bloom } from './bloom.ts';
 import { fxaa } from './fxaa.ts';
 import { smaa } from './smaa.ts';
 import { temporal } from './temporal.ts';
 
-export const effects: readonly EffectDefinition[] = [temporal, bloom, smaa, fxaa];
+export const effects: readonly EffectDefinition[] = [ambientOcclusion, temporal, bloom, smaa, fxaa];
