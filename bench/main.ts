@@ -2,9 +2,11 @@
 import { openHarness } from '../test/support/harness.ts';
 import { measureLab } from './lab.ts';
 import type { SpheresRequest, SpheresResult } from './spheres.page.ts';
+import { measureViews } from './views.ts';
 
 const FRAMES = 25;
 const NAVIGATIONS = 5;
+const DRAG_MS = 3000;
 
 function median(values: readonly number[]): number {
   const sorted = [...values].sort((a, b) => a - b);
@@ -44,5 +46,19 @@ async function benchLab(): Promise<void> {
   console.log(`Shaders and pipelines compiled by changes of parameters: ${compiledByChange}`);
 }
 
+async function benchViews(): Promise<void> {
+  console.log('\nFrames and drawings per second while a slider moves, over those of the viewport alone\n');
+  console.log('| views | viewport alone, 1/s | viewport | the slowest of the views |');
+  console.log('| --- | --- | --- | --- |');
+  for (const { views, plain, viewport, plots } of await measureViews(DRAG_MS)) {
+    const ratio = (rate: number) => (rate / plain).toFixed(2);
+    const covered = viewport === 0 ? '-' : ratio(viewport);
+    console.log(
+      `| ${[views.join(', '), plain.toFixed(1), covered, ratio(Math.min(...plots))].join(' | ')} |`,
+    );
+  }
+}
+
 await benchSpheres();
 await benchLab();
+await benchViews();

@@ -1,4 +1,4 @@
-import { FONT, FONT_SIZE, type Painter, type Pixels } from './painter.ts';
+import { edgeWidth, FONT, FONT_SIZE, type Painter, type Pixels } from './painter.ts';
 
 /** @param scale pixels of the canvas for one unit */
 export function canvasPainter(
@@ -9,7 +9,9 @@ export function canvasPainter(
 ): Painter {
   canvas.width = Math.round(width * scale);
   canvas.height = Math.round(height * scale);
-  const context = canvas.getContext('2d');
+  // Lines and small pictures, new in every frame: sooner drawn here than packed up for a GPU, which is busy with the
+  // scene, and which a machine may not have.
+  const context = canvas.getContext('2d', { willReadFrequently: true });
   if (!context) throw new Error('the browser gave no 2D canvas to draw a plot on');
   context.scale(scale, scale);
   context.font = `${FONT_SIZE}px ${FONT}`;
@@ -38,7 +40,7 @@ export function canvasPainter(
       context.fill();
       if (edge === null) return;
       context.strokeStyle = edge;
-      context.lineWidth = 0.5;
+      context.lineWidth = edgeWidth(color, edge);
       context.setLineDash([]);
       context.stroke();
     },
@@ -77,6 +79,7 @@ function bitmap({ width, height, rgba }: Pixels): HTMLCanvasElement {
   const canvas = document.createElement('canvas');
   canvas.width = width;
   canvas.height = height;
-  canvas.getContext('2d')?.putImageData(new ImageData(rgba, width, height), 0, 0);
+  const context = canvas.getContext('2d', { willReadFrequently: true });
+  context?.putImageData(new ImageData(rgba, width, height), 0, 0);
   return canvas;
 }

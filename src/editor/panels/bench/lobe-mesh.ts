@@ -24,6 +24,8 @@ export interface Facet {
 const FARTHEST = 1.35;
 /** Several lobes are seen through one another. */
 const TRANSLUCENT = 0.55;
+/** Square pixels: a sharp lobe has most of its facets where it is almost nothing. */
+const LEAST_AREA = 0.05;
 
 /** What the length of the lobe is: luminance where the colours are shown. */
 const lengthChannel = (channel: PaneSettings['channel']) => (channel === 'rgb' ? 'luminance' : channel);
@@ -82,6 +84,10 @@ function facetsOfOne(
         row * columns + next,
       ];
       const [a, b, c, d] = indices.map((i) => tips[i]) as [Vec3, Vec3, Vec3, Vec3];
+      const corners = [place(a), place(b), place(c), place(d)] as const;
+      const area = areaOf(corners);
+      // An opaque lobe hides its far side from anybody above the surface.
+      if (several ? Math.abs(area) < LEAST_AREA : area < LEAST_AREA) continue;
       const normal = unit(cross(minus(c, a), minus(d, b)));
       const shade = 0.42 + 0.58 * Math.abs(dot(normal, lamp));
       const rgb = settings.channel === 'rgb' ? chromaOf(rgbAt(lobe, 3 * (indices[0] as number))) : base;
@@ -89,7 +95,7 @@ function facetsOfOne(
       // Where the colours are those of the light, a wire tells which lobe is which.
       const wire = settings.channel === 'rgb' ? `${color}60` : null;
       facets.push({
-        corners: [place(a), place(b), place(c), place(d)],
+        corners,
         color: several ? `rgb(${shaded} / ${TRANSLUCENT})` : `rgb(${shaded})`,
         edge: several ? wire : `rgb(${shaded})`,
         depth: (depth(a) + depth(b) + depth(c) + depth(d)) / 4,
@@ -109,6 +115,11 @@ function rgbAt({ values }: Lobe, i: number): Rgb {
 function chromaOf(rgb: Rgb): readonly number[] {
   const most = Math.max(...rgb, 1e-12);
   return rgb.map((value) => encodeSrgb(value / most));
+}
+
+/** Of a quadrangle on the page; negative where it is seen from within the lobe. */
+function areaOf([a, b, c, d]: readonly [Point, Point, Point, Point]): number {
+  return ((c[1] - a[1]) * (d[0] - b[0]) - (c[0] - a[0]) * (d[1] - b[1])) / 2;
 }
 
 const dot = (a: Vec3, b: Vec3) => a[0] * b[0] + a[1] * b[1] + a[2] * b[2];

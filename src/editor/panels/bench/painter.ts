@@ -33,7 +33,7 @@ export interface Painter {
   readonly height: number;
   fill(area: Area, color: string): void;
   line(points: readonly Point[], stroke: Stroke): void;
-  /** @param edge of a line half a unit wide; in the polygon's own colour it closes the seam to the next one */
+  /** @param edge of a line as wide as edgeWidth() says; in the polygon's own colour it closes the seam to the next one */
   polygon(points: readonly Point[], color: string, edge: string | null): void;
   disc(center: Point, radius: number, color: string): void;
   /** Centred on y. */
@@ -43,6 +43,9 @@ export interface Painter {
   /** Draws only inside the area. */
   clip(area: Area, draw: () => void): void;
 }
+
+/** A seam is closed by an overlap of half a unit on both sides; a wire is finer. */
+export const edgeWidth = (color: string, edge: string): number => (edge === color ? 1 : 0.5);
 
 export const FONT_SIZE = 11;
 export const FONT = '"Inter", "Segoe UI", system-ui, sans-serif';

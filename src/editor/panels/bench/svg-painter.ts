@@ -1,6 +1,6 @@
 import { encodePng } from '../../../io/png.ts';
 import { encodeBase64 } from '../../../scene/base64.ts';
-import { FONT, FONT_SIZE, type Painter } from './painter.ts';
+import { edgeWidth, FONT, FONT_SIZE, type Painter } from './painter.ts';
 
 export interface SvgPainter extends Painter {
   /** The file. */
@@ -28,7 +28,7 @@ export function svgPainter(width: number, height: number): SvgPainter {
     },
     polygon(points, color, edge) {
       const path = points.map(([x, y]) => `${number(x)},${number(y)}`).join(' ');
-      const stroke = edge === null ? '' : ` stroke="${edge}" stroke-width=".5"`;
+      const stroke = edge === null ? '' : ` stroke="${edge}" stroke-width="${edgeWidth(color, edge)}"`;
       parts.push(`<polygon points="${path}" fill="${color}"${stroke}/>`);
     },
     disc([x, y], radius, color) {

@@ -12,8 +12,11 @@ import type { Answer, Job, Result, Shape, Source } from './jobs.ts';
 import { modelOf } from './series.ts';
 import type { OwnModel } from './settings.ts';
 
-/** null is a pause. */
-type Steps = Generator<Result | null>;
+/** null is a pause; REST is a longer one, after which the job goes on if no other has come in its place. */
+type Steps = Generator<Result | null | typeof REST>;
+const REST = Symbol('rest');
+/** Longer than from one frame to the next: what is drawn while a slider moves has to be drawn fast. */
+const REST_MS = 80;
 
 const SIZES = [16, 32, 64, 128];
 /** With fewer points a curve says nothing; with these it follows a slider, if coarsely. */
@@ -21,7 +24,14 @@ const FEWEST_POINTS = 5;
 /** Between two looks at what has been asked for meanwhile. */
 const SLICE_MS = 6;
 
-const running = new Map<string, { job: Job; steps: Steps }>();
+interface Running {
+  readonly job: Job;
+  readonly steps: Steps;
+}
+
+const running = new Map<string, Running>();
+/** Those that rest, by their timers. */
+const resting = new Map<string, ReturnType<typeof setTimeout>>();
 /** Only the shape that was sent last is asked for. */
 let shape: Shape | null = null;
 const sources = new Map<number, OwnModel>();
@@ -34,10 +44,16 @@ self.addEventListener('message', ({ data }: MessageEvent<Job | Shape | Source>) 
     else sources.delete(data.source);
   } else {
     const own = data.source === null ? null : sources.get(data.source);
-    running.set(data.key, { job: data, steps: stepsOf(data, own) });
-    if (!busy) void work();
+    begin(data.key, { job: data, steps: stepsOf(data, own) });
   }
 });
+
+function begin(key: string, job: Running): void {
+  clearTimeout(resting.get(key));
+  resting.delete(key);
+  running.set(key, job);
+  if (!busy) void work();
+}
 
 async function work(): Promise<void> {
   busy = true;
@@ -46,6 +62,11 @@ async function work(): Promise<void> {
     for (const [key, { job, steps }] of [...running]) {
       if (running.get(key)?.job !== job) continue;
       const result = advance(steps);
+      if (result === REST) {
+        running.delete(key);
+        resting.set(key, setTimeout(begin, REST_MS, key, { job, steps }));
+        continue;
+      }
       if (result === 'end' || (result && result.error !== undefined)) running.delete(key);
       if (result && result !== 'end') self.postMessage({ key, ticket: job.ticket, result } satisfies Answer);
       await nextTask();
@@ -63,7 +84,7 @@ function nextTask(): Promise<void> {
   });
 }
 
-function advance(steps: Steps): Result | null | 'end' {
+function advance(steps: Steps): Result | null | typeof REST | 'end' {
   const until = performance.now() + SLICE_MS;
   try {
     do {
@@ -104,6 +125,8 @@ function* stepsOf({ model: name, parameters, term, task }: Job, source: OwnModel
       for (const part of lobe(f, task.options)) {
         if (part) progress += 0.5;
         yield part && { lobe: part, progress };
+        // The fine one has four times as many facets to draw.
+        if (part && progress < 1) yield REST;
       }
       break;
     }
