@@ -2,6 +2,7 @@ import { readFile, stat } from 'node:fs/promises';
 import { createServer, type IncomingMessage, type Server, type ServerResponse } from 'node:http';
 import type { AddressInfo } from 'node:net';
 import { extname, join, posix } from 'node:path';
+import { isolationHeaders } from '../page-policy.ts';
 import { CliError } from './command.ts';
 
 /** A small web server for files that are on this machine, for this machine. */
@@ -28,6 +29,7 @@ const MEDIA_TYPES: Readonly<Record<string, string>> = {
   '.js': 'text/javascript; charset=utf-8',
   '.css': 'text/css; charset=utf-8',
   '.json': 'application/json; charset=utf-8',
+  '.webmanifest': 'application/manifest+json',
   '.map': 'application/json; charset=utf-8',
   '.brdf': 'text/plain; charset=utf-8',
   '.glsl': 'text/plain; charset=utf-8',
@@ -40,12 +42,6 @@ const MEDIA_TYPES: Readonly<Record<string, string>> = {
   '.woff2': 'font/woff2',
   '.glb': 'model/gltf-binary',
   '.gltf': 'model/gltf+json',
-};
-
-/** The page is isolated from others, which lets its threads share memory; what it loads comes from here alone. */
-const ISOLATION = {
-  'Cross-Origin-Opener-Policy': 'same-origin',
-  'Cross-Origin-Embedder-Policy': 'require-corp',
 };
 
 export async function startStaticServer(options: StaticServerOptions): Promise<StaticServer> {
@@ -89,7 +85,7 @@ async function answer(
   const send = (status: number, type: string, body: Uint8Array | string) => {
     const always = { 'Content-Type': type, 'X-Content-Type-Options': 'nosniff', 'Cache-Control': 'no-cache' };
     response.writeHead(status, {
-      ...ISOLATION,
+      ...isolationHeaders,
       ...headers,
       ...always,
       'Content-Length': Buffer.byteLength(body),

@@ -27,6 +27,7 @@ import { createSourcePanel } from './panels/source/source.ts';
 import { FrameTimes } from './panels/status/frame-times.ts';
 import { createStatus } from './panels/status/status.ts';
 import { createTopbar } from './panels/topbar/topbar.ts';
+import { installOffline } from './pwa/offline.ts';
 import { loadScene, shippedScenes } from './scenes.ts';
 import type { Session } from './session.ts';
 import { documentOfLink, isLink } from './share/link.ts';
@@ -142,9 +143,11 @@ installShortcuts([
 window.addEventListener('hashchange', () => void openLink());
 
 window.irradia = { store, mirror, renderer: null, viewport: null, ready: start() };
-window.irradia.ready.catch(() => {
-  // start() has told the person; this keeps the browser from telling it again.
-});
+window.irradia.ready
+  .catch(() => {
+    // start() has told the person; this keeps the browser from telling it again.
+  })
+  .then(() => installOffline(() => workspace.reload()));
 
 /** What the page's address says: a document in its fragment, a scene by its name, or the first one. */
 function addressedDocument(): Promise<Document> {

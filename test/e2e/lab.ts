@@ -2,7 +2,7 @@
 import { fileURLToPath } from 'node:url';
 import type { Browser, Page } from 'playwright-core';
 import { build } from 'vite';
-import { afterAll } from 'vitest';
+import { afterAll, expect } from 'vitest';
 import { startStaticServer } from '../../src/cli/static-server.ts';
 import type { Document } from '../../src/scene/schema.ts';
 import { launchBrowser } from '../support/browser.ts';
@@ -41,14 +41,15 @@ export async function openLab(): Promise<Lab> {
   return {
     async open({ query = '', files = {}, init, width = SIZE.width, height = SIZE.height, ...options } = {}) {
       const { beside, serviceWorkers = 'block' } = options;
-      let url = beside?.url;
-      if (url === undefined) {
+      let { url, endServer } = beside ?? {};
+      if (url === undefined || endServer === undefined) {
         const server = await startStaticServer({
           files: new Map([...built, ...Object.entries(files)]),
           port: 0,
         });
         servers.push(server);
-        ({ url } = server);
+        url = server.url;
+        endServer = () => server.close();
       }
       const viewport = { width, height };
       const page = beside
@@ -59,7 +60,7 @@ export async function openLab(): Promise<Lab> {
       await page.addInitScript('delete window.showSaveFilePicker');
       if (init) await page.addInitScript(init);
       await page.goto(`${url}${query}`);
-      return new LabPage(page, errors, url);
+      return new LabPage(page, errors, url, endServer);
     },
   };
 }
@@ -77,6 +78,8 @@ export class LabPage {
     /** What the page reported as an error so far. */
     readonly errors: string[],
     readonly url: string,
+    /** From then on there is no network. */
+    readonly endServer: () => Promise<void>,
   ) {}
 
   async ready(): Promise<this> {
@@ -101,6 +104,11 @@ export class LabPage {
         colors: new Set(new Uint32Array(pixels.buffer, pixels.byteOffset, pixels.length / 4)).size,
       };
     })()`);
+  }
+
+  /** Waits until an expression is true. Asked from outside: the page's policy lets no text become script in it. */
+  async until(expression: string): Promise<void> {
+    await expect.poll(() => this.page.evaluate(expression), { timeout: 60_000, interval: 30 }).toBe(true);
   }
 
   /** Lets files fall on the page, or on one element of it. */

@@ -41,7 +41,7 @@ it('a document with assets is there again after a crash, and an edit writes only
      draft.name = 'With noise';`,
   );
   await kept(first);
-  await first.page.waitForFunction('written.versions > 0');
+  await first.until('written.versions > 0');
   const written = () => first.page.evaluate<Record<string, number>>('({ ...written })');
   const before = await written();
   expect(before.assets).toBe(1 << 20);
@@ -64,8 +64,150 @@ it('a document with assets is there again after a crash, and an edit writes only
   await second.waitForToast('Deleted “With noise”');
   expect((await second.document()).name).not.toBe('With noise');
   await second.page.click('.toast >> text=Undo');
-  await second.page.waitForFunction('irradia.store.document.name === "With noise"');
+  await second.until('irradia.store.document.name === "With noise"');
   expect(await second.document()).toEqual(document);
   expect(second.errors).toEqual([]);
   await second.page.context().close();
+});
+
+it('versions, copies and names of documents are in a dialog', async () => {
+  const page = await (await lab.open({ query: small, files, width: 1100, height: 700 })).ready();
+  await edit(page, 'draft.view.exposure = 2;');
+  await kept(page);
+  await page.page.keyboard.press('Control+Shift+O');
+  await page.page.waitForSelector('.document-card[aria-current] img');
+  await page.page.fill('.version-form input', 'Bright');
+  await page.page.click('text=Keep version');
+  await page.page.waitForSelector('.version-list >> text=Bright');
+  const versions = page.page.locator('.version-list li');
+  expect(await versions.locator('strong').allInnerTexts()).toEqual(['Bright', 'As it was opened']);
+
+  await versions.nth(1).locator('text=Restore').click();
+  await page.waitForToast('Restored');
+  expect((await page.document()).view.exposure).toBe(0);
+  await page.page.click('.toast >> text=Undo');
+  expect((await page.document()).view.exposure).toBe(2);
+
+  await page.page.keyboard.press('Control+Shift+O');
+  await page.page.click('.document-actions >> text=Duplicate');
+  const copy = page.page.locator('.document-card', { hasText: 'Small copy' });
+  await copy.dblclick();
+  await page.until('irradia.store.document.name === "Small copy"');
+  expect((await page.document()).view.exposure).toBe(2);
+  await page.waitForToast('“Small” is kept');
+
+  await page.page.click('.document-button');
+  const title = page.page.locator('.document-title');
+  await page.page.locator('.document-card', { hasText: 'open' }).waitFor();
+  await title.fill('Renamed');
+  await title.press('Enter');
+  await page.page.locator('.document-card', { hasText: 'Renamed' }).waitFor();
+  expect((await page.document()).name).toBe('Renamed');
+  await page.page.locator('.document-card').nth(1).click();
+  await page.until('document.querySelector(".document-title").value === "Small"');
+  await page.page.click('.document-actions >> text=Delete');
+  await page.until('document.querySelectorAll(".document-card").length === 1');
+  await page.page.keyboard.press('Escape');
+  await page.page.click('.toast >> text=Undo');
+  await page.page.click('.document-button');
+  await page.until('document.querySelectorAll(".document-card").length === 2');
+  expect(page.errors).toEqual([]);
+  await page.page.context().close();
+});
+
+it('a link opens in another browser as the same document, and takes nobody’s work away', async () => {
+  const page = await (await lab.open({ query: small, files })).ready();
+  await edit(
+    page,
+    `draft.name = 'Shared <img src=x onerror="window.ran = true">'; draft.view.exposure = -1;`,
+  );
+  await page.menu('File', 'Share as a link…');
+  const address = await page.page.inputValue('.share-link input');
+  const shared = await page.document();
+  const link = new URL(address).hash;
+
+  const other = await (await lab.open({ query: small, files })).ready();
+  await edit(other, 'draft.name = "Their own";');
+  await other.page.evaluate(`location.hash = ${JSON.stringify(link)}`);
+  await other.waitForToast('“Their own” is kept');
+  expect(await other.document()).toEqual(shared);
+  await other.page.click('.toast >> text=Back to it');
+  await other.until('irradia.store.document.name === "Their own"');
+  await other.page.evaluate('location.hash = "#document=broken"');
+  await other.waitForToast('The link was not opened');
+  expect(await other.page.evaluate('window.ran')).toBeUndefined();
+
+  const fresh = await (await lab.open({ query: link, files })).ready();
+  expect(await fresh.document()).toEqual(shared);
+  expect([...page.errors, ...other.errors, ...fresh.errors]).toEqual([]);
+  for (const { page: each } of [page, other, fresh]) await each.context().close();
+});
+
+it('a document that is too large for a link says by how much', async () => {
+  const page = await (await lab.open({ query: small, files })).ready();
+  const noise = randomBytes(60_000).toString('base64');
+  await edit(
+    page,
+    `draft.assets.noise = { name: 'noise.bin', mediaType: 'application/octet-stream', data: '${noise}' };`,
+  );
+  await page.menu('File', 'Share as a link…');
+  const text = await page.page.locator('.share').innerText();
+  expect(text).toMatch(/would have \d\d,\d{3} characters.*so it is \d\d,\d{3} too long/);
+  expect(text).toContain('noise.bin');
+  const download = page.page.waitForEvent('download');
+  await page.page.click('text=Save as a file');
+  expect((await download).suggestedFilename()).toBe('Small.json');
+  await page.page.context().close();
+});
+
+it('where the browser keeps nothing, that is said, and work is not thrown away unasked', async () => {
+  const init = `indexedDB.open = () => { throw new DOMException('not here', 'SecurityError'); };`;
+  const page = await (await lab.open({ query: small, files, init })).ready();
+  await edit(page, 'draft.name = "Only here";');
+  await page.waitForToast('This document is not being kept');
+  await page.page.click('.toast .icon-button');
+  await page.menu('File', 'New');
+  await page.page.click('.confirm >> text=Cancel');
+  expect((await page.document()).name).toBe('Only here');
+  await page.menu('File', 'New');
+  await page.page.click('.confirm >> text=Discard changes');
+  await page.until('irradia.store.document.name === "Untitled"');
+  expect(page.errors).toEqual([]);
+  await page.page.context().close();
+});
+
+it('Save writes the same file again where the browser lets a page write files', async () => {
+  const page = await (await lab.open({ query: small, files })).ready();
+  // A file of the browser's own stands for the one that a person would choose.
+  await page.page.evaluate(`
+    window.asked = 0;
+    window.showSaveFilePicker = async ({ suggestedName }) => {
+      window.asked += 1;
+      return (await navigator.storage.getDirectory()).getFileHandle(suggestedName, { create: true });
+    }`);
+  const text = () =>
+    page.page.evaluate<string>(
+      `navigator.storage.getDirectory().then((d) => d.getFileHandle('Small.json')).then((f) => f.getFile()).then((f) => f.text())`,
+    );
+  await page.page.keyboard.press('Control+s');
+  await page.waitForToast('Saved Small.json');
+  await edit(page, 'draft.view.exposure = 3;');
+  await page.page.click('.toast .icon-button');
+  await page.page.keyboard.press('Control+s');
+  await page.waitForToast('Saved Small.json');
+  expect(await page.page.evaluate('window.asked')).toBe(1);
+  expect(parseDocument(await text(), 'Small.json')).toEqual(await page.document());
+  await page.page.context().close();
+});
+
+it('works without a network after the first visit, alone with itself as before', async () => {
+  const page = await (await lab.open({ query: small, files, serviceWorkers: 'allow' })).ready();
+  await page.page.evaluate('navigator.serviceWorker.ready.then(() => true)');
+  await page.endServer();
+  await page.page.goto(`${page.url}?scene=thesis-demo02`);
+  await page.ready();
+  expect((await page.document()).name).toBe('Three spots');
+  expect(await page.page.evaluate('crossOriginIsolated')).toBe(true);
+  expect((await page.picture()).colors).toBeGreaterThan(50);
+  await page.page.context().close();
 });

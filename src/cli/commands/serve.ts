@@ -1,6 +1,7 @@
 import { spawn } from 'node:child_process';
 import { existsSync } from 'node:fs';
 import { join } from 'node:path';
+import { pageHeaders } from '../../page-policy.ts';
 import { serializeDocument } from '../../scene/document.ts';
 import { CliError, type Command, UsageError } from '../command.ts';
 import { packageRoot } from '../package-root.ts';
@@ -8,23 +9,6 @@ import { sceneArgument } from '../scene-argument.ts';
 import { startStaticServer } from '../static-server.ts';
 
 const DEFAULT_PORT = 4280;
-
-/** The page comes from this server and from nowhere else, and talks to nobody else. */
-const HEADERS = {
-  'Content-Security-Policy': [
-    "default-src 'none'",
-    "script-src 'self' 'wasm-unsafe-eval'",
-    "style-src 'self'",
-    "font-src 'self'",
-    "img-src 'self' data: blob:",
-    "connect-src 'self' data: blob:",
-    "worker-src 'self' blob:",
-    "base-uri 'none'",
-    "form-action 'none'",
-    "frame-ancestors 'none'",
-  ].join('; '),
-  'Referrer-Policy': 'no-referrer',
-};
 
 const command: Command = {
   usage: 'serve [SCENE] [--port N] [--open]',
@@ -43,7 +27,7 @@ const command: Command = {
     if (!existsSync(join(folder, 'index.html'))) {
       throw new CliError('the lab is not built yet; run `npm run build` first');
     }
-    const server = await startStaticServer({ folder, files, headers: HEADERS, ...port });
+    const server = await startStaticServer({ folder, files, headers: pageHeaders, ...port });
     const address = `${server.url}${query}`;
     // Before anyone can know that it runs, and end it.
     const ended = new Promise((resolve) => {
