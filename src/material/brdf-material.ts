@@ -237,7 +237,7 @@ export class BrdfMaterial extends NodeMaterial {
     const { context } = builder as unknown as { context: Record<string, unknown> };
     // As three.js' own observer asks, but for the colour that the constructor set.
     if (
-      ['modelViewMatrix', 'modelNormalViewMatrix', 'getAO', 'getShadow', 'getGI', 'openSky'].some(
+      ['modelViewMatrix', 'modelNormalViewMatrix', 'getAO', 'getShadow', 'getGI', 'openSky', 'contactShadow'].some(
         (name) => context[name],
       )
     )

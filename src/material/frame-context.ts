@@ -20,6 +20,8 @@ export interface OpenSky {
 export type FrameContext = {
   /** Ambient occlusion, at the fragment that is shaded; in the fragment's own code, at its top level. */
   readonly openSky?: () => OpenSky;
+  /** The part of a lamp's light that is not kept off close to the fragment. @param L to the lamp, in view space */
+  readonly contactShadow?: (L: Vec3) => Float;
 };
 
 /** What opaque materials are told. Behind what is transparent lies another surface: what is known of the pixel is that one's. */

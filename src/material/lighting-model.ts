@@ -82,8 +82,9 @@ export class BrdfLightingModel extends LightingModel {
   }
 
   /** Directional, point and spot lights; a shadow is in lightColor already. */
-  override direct(data: Parameters<LightingModel['direct']>[0]): void {
-    const { lightDirection, lightColor, reflectedLight } = data as unknown as {
+  override direct(data: Parameters<LightingModel['direct']>[0], builder: NodeBuilder): void {
+    const { lightDirection, lightColor, lightNode, reflectedLight } = data as unknown as {
+      lightNode: { light: Light };
       lightDirection: Vec3;
       lightColor: Vec3;
       reflectedLight: { directSpecular: Assignable };
@@ -94,7 +95,9 @@ export class BrdfLightingModel extends LightingModel {
     const cosine = dot(N, L).toVar();
     // Most fragments face away from most lights, or are outside a spot's cone.
     If(cosine.mul(E.x.add(E.y).add(E.z)).greaterThan(0), () => {
-      reflectedLight.directSpecular.addAssign(this.f(L).mul(E).mul(cosine));
+      const contact = lightNode.light.castShadow ? frameContext(builder).contactShadow?.(L) : undefined;
+      const light = contact ? E.mul(contact) : E;
+      reflectedLight.directSpecular.addAssign(this.f(L).mul(light).mul(cosine));
       this.count();
     });
   }

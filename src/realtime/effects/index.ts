@@ -2,8 +2,9 @@
 import type { EffectDefinition } from '../frame/effect.ts';
 import { ambientOcclusion } from './ambient-occlusion.ts';
 import { bloom } from './bloom.ts';
+import { contactShadows } from './contact-shadows.ts';
 import { fxaa } from './fxaa.ts';
 import { smaa } from './smaa.ts';
 import { temporal } from './temporal.ts';
 
-export const effects: readonly EffectDefinition[] = [ambientOcclusion, temporal, bloom, smaa, fxaa];
+export const effects: readonly EffectDefinition[] = [ambientOcclusion, contactShadows, temporal, bloom, smaa, fxaa];

@@ -109,6 +109,11 @@ export function positionAt(inputs: FrameInputs, ndc: Vec2, distance: Float): Vec
   return vec3(x, y, -1).mul(distance) as unknown as Vec3;
 }
 
+/** Where in the frame normalised device coordinates are, as uv() counts it. */
+export function placeOf(ndc: Vec2): Vec2 {
+  return ndc.mul(vec2(0.5, -0.5)).add(0.5) as Vec2;
+}
+
 /** Normalised device coordinates of a point in view space, in front of the camera. */
 export function ndcOf({ projection }: FrameInputs, point: Vec3): Vec2 {
   const clip = (projection as unknown as { mul(v: Node): Vec4 }).mul(vec4(point, 1));
