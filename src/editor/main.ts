@@ -111,7 +111,11 @@ document.getElementById('app')?.replaceChildren(
   view,
   createSourcePanel(session),
   h('div', { class: 'panel-right' }, createInspector(session)),
-  createBench(session, { geometryOf: (id) => mirror.objectFor(id)?.geometry, viewport: canvas }),
+  createBench(session, {
+    geometryOf: (id) => mirror.objectFor(id)?.geometry,
+    viewport: canvas,
+    renderer: () => window.irradia.renderer,
+  }),
   status.element,
 );
 store.subscribe(({ reason }) => {

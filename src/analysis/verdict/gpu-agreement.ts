@@ -14,8 +14,16 @@ const FLOOR = 1e-4;
  */
 const LIMIT = 1e-2;
 
+/** There is no GPU to ask, or it gave no answer; the message is a sentence. */
+export class GpuFailure extends Error {
+  override name = 'GpuFailure';
+}
+
 export async function checkGpu(context: Context, gpu: GpuEvaluation | undefined): Promise<Check> {
-  if (!gpu) return context.notApplicable('No GPU was asked; --backend gpu does.');
+  if (!gpu)
+    return context.notApplicable(
+      'No GPU was asked; the lab asks its own, and the command does with --backend gpu.',
+    );
   const { model, random } = context;
   const points = Array.from({ length: context.trials(800) }, () =>
     rounded(randomPoint(random, model.parameters)),
@@ -26,7 +34,11 @@ export async function checkGpu(context: Context, gpu: GpuEvaluation | undefined)
   let worst = { error: -1, term: 'BRDF', point: points[0] as Point };
   for (const [i, term] of model.terms.entries()) {
     await context.pulse(i / model.terms.length);
-    const values = await gpu(term, points);
+    const values = await gpu(term, points).catch((error: unknown) => {
+      if (error instanceof GpuFailure) return error;
+      throw error;
+    });
+    if (values instanceof GpuFailure) return context.notApplicable(values.message);
     for (const [k, point] of points.entries()) {
       const error = difference(values[k] as Rgb, context.f(point, term));
       if (error > worst.error) worst = { error, term, point };

@@ -70,6 +70,6 @@ export interface VerdictOptions {
   readonly signal?: AbortSignal;
   /** Called now and then with the share that is done, 0 to 1, and the law at hand. */
   readonly onProgress?: (done: number, property: Property) => void;
-  /** Without it, GPU and float64 are not compared. */
+  /** Without it, GPU and float64 are not compared. It may reject with a GpuFailure. */
   readonly gpu?: GpuEvaluation;
 }

@@ -1,6 +1,6 @@
-import { checkModel } from '../../analysis/verdict/verdict.ts';
+import { checkModel, type GpuEvaluation } from '../../analysis/verdict/verdict.ts';
+import type { Model } from '../../glsl/model.ts';
 import { type Command, UsageError } from '../command.ts';
-import { gpuEvaluation } from '../eval/gpu-evaluation.ts';
 import { writeHeatMap } from '../heat-map-file.ts';
 import { modelArgument, modelFiles } from '../model-argument.ts';
 import { progressLine } from '../progress.ts';
@@ -41,7 +41,7 @@ const command: Command = {
     if (output !== undefined) throw new UsageError('-o is for --map');
     if (backend !== 'cpu' && backend !== 'gpu')
       throw new UsageError(`--backend ${backend}: expected cpu or gpu`);
-    const gpu = backend === 'gpu' ? await gpuEvaluation(model) : null;
+    const gpu = backend === 'gpu' ? await askedGpu(model) : null;
     const verdict = await checkModel(model, { ...(gpu && { gpu }), onProgress: progressLine(!json) });
     console.log(json ? JSON.stringify(verdict, null, 2) : verdictTable(verdict, model.parameters).join('\n'));
     return verdict.sound ? 0 : 1;
@@ -49,3 +49,9 @@ const command: Command = {
 };
 
 export default command;
+
+async function askedGpu(model: Model): Promise<GpuEvaluation> {
+  const { gpuBackend } = await import('../eval/gpu.ts');
+  const backend = await gpuBackend(model);
+  return (term, points) => backend(term)(points);
+}

@@ -46,9 +46,8 @@ async function chooseBackend(model: Model, { backend, term }: Call['options']): 
   }
   if (backend === 'cpu') return cpuBackend(model, term as string);
   if (backend !== 'gpu') throw new UsageError(`--backend ${backend}: expected cpu or gpu`);
-  const { createNodeRenderer } = await import('../node-renderer.ts');
   const { gpuBackend } = await import('../eval/gpu.ts');
-  return gpuBackend(model, term as string, await createNodeRenderer({ width: 1, height: 1 }));
+  return (await gpuBackend(model))(term as string);
 }
 
 async function answerLines(lines: readonly string[], model: Model, backend: Backend): Promise<Answer[]> {

@@ -5,6 +5,7 @@
 import type { BufferGeometry } from 'three/webgpu';
 import type { Rgb } from '../../../analysis/plots/curve.ts';
 import type { WorstCase } from '../../../analysis/verdict/types.ts';
+import type { RealtimeRenderer } from '../../../realtime/renderer.ts';
 import { attempt, toggleBenchPage } from '../../commands.ts';
 import { download, fileNameOf } from '../../io/files.ts';
 import { selectedMaterial } from '../../selected-material.ts';
@@ -37,9 +38,11 @@ export interface BenchOptions {
   geometryOf(object: string): BufferGeometry | undefined;
   /** Where the scene is drawn: the light is turned there, too. */
   readonly viewport: HTMLElement;
+  /** What draws it, once it has started: the verdict asks its GPU. */
+  renderer(): RealtimeRenderer | null;
 }
 
-export function createBench(session: Session, { geometryOf, viewport }: BenchOptions): HTMLElement {
+export function createBench(session: Session, { geometryOf, viewport, renderer }: BenchOptions): HTMLElement {
   const { store, state } = session;
   installLightDrag(viewport, session);
   const evaluators = new Evaluators();
@@ -52,19 +55,20 @@ export function createBench(session: Session, { geometryOf, viewport }: BenchOpt
     const id = selectedMaterial(store.document, state.value.selection);
     if (id !== undefined) attempt('The case cannot be shown', () => putWorstCase(store, id, worst, label));
   };
-  const verdict = createVerdictPanel(
-    (worst) => {
+  const verdict = createVerdictPanel({
+    renderer,
+    showCase(worst) {
       putCase(worst);
       const { bench, benchPage } = state.value;
       // In the dock the verdict itself is in the way of what there is to see.
       const panes = benchPage ? bench.panes : bench.panes.with(bench.active, 'lobe');
       change({ ...worstSettings(worst), panes });
     },
-    (cell) => {
+    showCell(cell) {
       putCase(cell, 'Parameters from the map');
       change(worstSettings(cell));
     },
-  );
+  });
   const grid = createGrid({
     wantFrame: () => wantFrame(),
     change,

@@ -1,9 +1,11 @@
 /** The verdict on the selected material's model, computed while its tab is in sight; it follows the source. */
 import type { Check, Outcome, Property, Verdict, WorstCase } from '../../../analysis/verdict/types.ts';
+import type { RealtimeRenderer } from '../../../realtime/renderer.ts';
 import { h } from '../../ui/dom.ts';
 import { createHeatMapPanel } from './heat-map.ts';
 import type { Subject } from './series.ts';
-import type { VerdictAnswer, VerdictJob } from './verdict-job.ts';
+import { askGpu } from './verdict-gpu.ts';
+import type { VerdictAnswer, VerdictJob, VerdictRequest } from './verdict-job.ts';
 
 export interface VerdictPanel {
   readonly element: HTMLElement;
@@ -36,11 +38,15 @@ const nameOf = (property: Property): string =>
 /** Typing changes the model every few tenths of a second: it is checked when there is a pause. */
 const PAUSE = 700;
 
-/** @param showCell what a cell of the map does; it is worth a look beside the map, too */
-export function createVerdictPanel(
-  showCase: (worst: WorstCase) => void,
-  showCell: (worst: WorstCase) => void,
-): VerdictPanel {
+export interface VerdictActions {
+  showCase(worst: WorstCase): void;
+  /** What a cell of the map does; it is worth a look beside the map, too. */
+  showCell(worst: WorstCase): void;
+  /** Null as long as there is no GPU to ask. */
+  renderer(): RealtimeRenderer | null;
+}
+
+export function createVerdictPanel({ showCase, showCell, renderer }: VerdictActions): VerdictPanel {
   const button = h('button', { type: 'button', class: 'text-button' }, 'Check');
   const state = h('span', { class: 'verdict-state', role: 'status' });
   const progress = h('progress', { class: 'bench-progress', max: 1, 'aria-label': 'Checking', hidden: true });
@@ -71,11 +77,15 @@ export function createVerdictPanel(
     button.textContent = 'Cancel';
     progress.hidden = false;
     progress.value = 0;
-    worker = new Worker(new URL('./verdict-worker.ts', import.meta.url), { type: 'module' });
-    worker.addEventListener('message', ({ data }: MessageEvent<VerdictAnswer>) => {
+    const started = new Worker(new URL('./verdict-worker.ts', import.meta.url), { type: 'module' });
+    worker = started;
+    const tell = (request: VerdictRequest) => started.postMessage(request);
+    started.addEventListener('message', ({ data }: MessageEvent<VerdictAnswer>) => {
       if (data.kind === 'progress') {
         progress.value = data.done;
         state.textContent = `${job.model}: ${nameOf(data.property)}`;
+      } else if (data.kind === 'gpu') {
+        void askGpu(renderer(), job, data.term, data.points).then(tell);
       } else if (data.kind === 'error') {
         stop(data.message);
       } else {
@@ -86,7 +96,7 @@ export function createVerdictPanel(
         map.show(job);
       }
     });
-    worker.postMessage(job);
+    tell(job);
   };
   button.addEventListener('click', () => {
     if (worker) stop('Cancelled');
