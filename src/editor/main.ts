@@ -1,4 +1,5 @@
 /** The page: puts the document, the panels and the viewport together and opens the first scene. */
+import { modelStage } from '../io/stage.ts';
 import { createRenderer, type RealtimeRenderer } from '../realtime/renderer.ts';
 import { AssetLoader } from '../scene/assets.ts';
 import { addLight, addObject } from '../scene/commands.ts';
@@ -18,7 +19,8 @@ import {
 import { installErrorReports, showStartFailure } from './errors.ts';
 import { installDrop } from './io/drop.ts';
 import { ANY_ACCEPT, chooseFiles, download, fileNameOf } from './io/files.ts';
-import { openFiles } from './io/open.ts';
+import { environmentElsewhere, openElsewhere } from './io/importer/import-job.ts';
+import { type OpenContext, openAddress, openFiles } from './io/open.ts';
 import { createBench } from './panels/bench/bench.ts';
 import { openDocuments } from './panels/documents/documents.ts';
 import { createInspector } from './panels/inspector/inspector.ts';
@@ -72,20 +74,29 @@ const workspace = new Workspace({
   state,
   picture: () => window.irradia.viewport?.screenshot() ?? null,
 });
-const assets = new AssetLoader(pageAssets);
+const assets = new AssetLoader({
+  ...pageAssets,
+  openGltf: openElsewhere,
+  decodeEnvironment: environmentElsewhere,
+});
 const mirror = new SceneMirror({
   assets,
   onError: (message) => toast('error', 'A part of the scene is missing', message),
 });
 
+const opening: OpenContext = {
+  store,
+  state,
+  assets,
+  replaceDocument: (next) => workspace.replace(next, null),
+};
 const session: Session = {
   store,
   state,
   workspace,
   newScene,
   save,
-  openFiles: (files) =>
-    openFiles({ store, state, assets, replaceDocument: (next) => workspace.replace(next, null) }, files),
+  openFiles: (files, as) => openFiles(opening, files, as),
   chooseFiles,
   renameSelected: () => outliner.renameSelected(),
   focusSelection: () => window.irradia.viewport?.focusSelection(),
@@ -152,11 +163,28 @@ window.irradia.ready
     // start() has told the person; this keeps the browser from telling it again.
   })
   .then(() => installOffline(() => workspace.reload()));
+// A page without a renderer takes files, too.
+void window.irradia.ready.then(importAddressed, importAddressed);
 
 /** What the page's address says: a document in its fragment, a scene by its name, or the first one. */
 function addressedDocument(): Promise<Document> {
   if (isLink(location.hash)) return documentOfLink(location.hash);
-  return loadScene(new URLSearchParams(location.search).get('scene') ?? undefined);
+  const query = new URLSearchParams(location.search);
+  const [scene, model] = [query.get('scene'), query.get('import')];
+  // A model that is linked to is what the person wants to see, and nothing else.
+  if (scene === null && model !== null) return Promise.resolve(modelStage(model.replace(/^.*\//, '')));
+  return loadScene(scene ?? undefined);
+}
+
+/** What the page's address asks to bring into the scene. */
+async function importAddressed(): Promise<void> {
+  const address = new URLSearchParams(location.search).get('import');
+  if (address === null) return;
+  await openAddress(opening, address);
+  // It is in the scene now: a reload must not bring it once more.
+  const rest = new URL(location.href);
+  rest.searchParams.delete('import');
+  history.replaceState(history.state, '', rest);
 }
 
 /** A link that is pasted into the address bar of a page that is open loads no new page. */

@@ -16,8 +16,8 @@ export interface Session {
   renameSelected(): void;
   /** Turns the camera to what is selected, or to everything. */
   focusSelection(): void;
-  /** Puts files into the scene, as a drop on the page does. */
-  openFiles(files: readonly File[]): Promise<void>;
+  /** Puts files into the scene, as a drop on the page does; images as its environment where that is what was asked for. */
+  openFiles(files: readonly File[], as?: { readonly environment: boolean }): Promise<void>;
   /** Asks for files of the given kinds (`accept` of a file input). */
   chooseFiles(accept: string, multiple?: boolean): Promise<readonly File[]>;
 }

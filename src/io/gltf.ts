@@ -3,15 +3,13 @@
  * object, materials become `principled`, punctual lights become lights. Everything is read,
  * checked and decoded before there is a recipe to apply: a broken file changes nothing.
  */
+import * as THREE from 'three/webgpu';
 import { z } from 'zod';
 import { type AssetLoader, messageOf } from '../scene/assets.ts';
 import { encodeBase64 } from '../scene/base64.ts';
-import { keepAsset } from '../scene/commands.ts';
-import { putMaterial } from '../scene/material-commands.ts';
 import { materialDefaults, materialMaps } from '../scene/material-schema.ts';
-import { freeId, freeName } from '../scene/names.ts';
-import { type Asset, type Material, maxAssetBytes } from '../scene/schema.ts';
-import type { Draft } from '../scene/store.ts';
+import { type Asset, type Material, maxAssetBytes, type SceneObject } from '../scene/schema.ts';
+import type { ImportedModel } from './gltf/add.ts';
 import { GltfError } from './gltf/error.ts';
 import { type GltfFile, gltfBytes, readGltf } from './gltf/file.ts';
 import { convertMaterial } from './gltf/material.ts';
@@ -21,21 +19,8 @@ import type { Gltf } from './gltf/schema.ts';
 import type { Companions } from './meshes/companions.ts';
 import type { Converted } from './meshes/converted.ts';
 
+export { addImported, type ImportedModel } from './gltf/add.ts';
 export { GltfError } from './gltf/error.ts';
-
-/** All that a file brings, decoded and checked. Plain data: a worker can make it for a page. */
-export interface ImportedModel {
-  /** For the undo menu. */
-  label: string;
-  asset: Asset;
-  contents: GltfContents;
-  /** By the number that objects have of it. */
-  materials: ReadonlyMap<number | undefined, Material>;
-  /** Materials that no object has: those of a file's variants. */
-  spare: readonly Material[];
-  /** What could not be kept. */
-  notes: string[];
-}
 
 export interface ImportOptions {
   /** The files that came with it, by path: buffers, images and material files. */
@@ -111,8 +96,10 @@ async function finish(
   const steps = contents.objects.length + used.size + spareIndices.length;
   let done = 0;
   const step = () => onProgress(++done / steps);
-  for (const { node, primitive } of contents.objects) {
-    await assets.gltfGeometry(asset, node, primitive);
+  const box = new THREE.Box3();
+  for (const { node, primitive, object } of contents.objects) {
+    const geometry = await assets.gltfGeometry(asset, node, primitive);
+    if (object.visible) box.union(worldBox(geometry, object));
     step();
   }
   const read = async (index: number | undefined): Promise<Material> => {
@@ -124,7 +111,22 @@ async function finish(
   for (const index of used) materials.set(index, await read(index));
   const spare: Material[] = [];
   for (const index of spareIndices) spare.push(await read(index));
-  return { label: `Import ${name}`, asset, contents, materials, spare };
+  const bounds = box.isEmpty() ? null : { min: box.min.toArray(), max: box.max.toArray() };
+  return { label: `Import ${name}`, asset, contents, materials, spare, bounds };
+}
+
+function worldBox(
+  geometry: THREE.BufferGeometry,
+  { position, rotation, scale }: Pick<SceneObject, 'position' | 'rotation' | 'scale'>,
+): THREE.Box3 {
+  if (geometry.boundingBox === null) geometry.computeBoundingBox();
+  const turn = new THREE.Euler(...(rotation.map(THREE.MathUtils.degToRad) as [number, number, number]));
+  const matrix = new THREE.Matrix4().compose(
+    new THREE.Vector3(...position),
+    new THREE.Quaternion().setFromEuler(turn),
+    new THREE.Vector3(...scale),
+  );
+  return (geometry.boundingBox ?? new THREE.Box3()).clone().applyMatrix4(matrix);
 }
 
 /** KHR_materials_variants: the materials that the variants of what is shown have, and its objects do not. */
@@ -174,49 +176,4 @@ async function withReadableTextures(
     if (texture !== null && !(await readable(texture.texture))) material[map] = null;
   }
   return material;
-}
-
-/** Puts everything into a draft of a document; returns the ids of the new objects. */
-export function addImported(
-  draft: Draft,
-  { contents: { objects, lights, camera }, materials, spare, asset }: ImportedModel,
-): string[] {
-  const wasEmpty = Object.keys(draft.objects).length === 0;
-  const assetId = keepAsset(draft, asset);
-  const materialIds = new Map<number | undefined, string>();
-  for (const [index, material] of materials)
-    materialIds.set(index, putMaterial(draft, inAsset(material, assetId)));
-  for (const material of spare) putMaterial(draft, inAsset(material, assetId));
-  const names = new Set(Object.values(draft.objects).map(({ name }) => name));
-  const ids = objects.map(({ object, node, primitive, material }) => {
-    const id = freeId(object.name, draft.objects);
-    const name = freeName(object.name, names);
-    names.add(name);
-    const geometry = { type: 'gltf' as const, asset: assetId, node, primitive };
-    draft.objects[id] = {
-      ...structuredClone(object),
-      name,
-      material: materialIds.get(material) ?? '',
-      geometry,
-    };
-    return id;
-  });
-  for (const light of lights) {
-    const name = freeName(
-      light.name,
-      Object.values(draft.lights).map((other) => other.name),
-    );
-    draft.lights[freeId(light.name, draft.lights)] = { ...structuredClone(light), name };
-  }
-  // The view of a scene that somebody works on is theirs; an empty scene takes the file's.
-  if (camera !== null && wasEmpty) draft.camera = camera;
-  return ids;
-}
-
-/** The id of the asset is known only when it is added. */
-function inAsset(material: Material, asset: string): Material {
-  const copy = structuredClone(material);
-  for (const texture of Object.values(copy.textures)) texture.asset = asset;
-  for (const map of materialMaps) if (copy[map] !== null) copy[map].asset = asset;
-  return copy;
 }

@@ -19,17 +19,24 @@ export type TextureImage = ImageBitmap | { data: Uint8Array; width: number; heig
 export interface AssetPlatform {
   decodeImage(bytes: Uint8Array<ArrayBuffer>, mediaType: string): Promise<TextureImage>;
   dracoLoader(): DRACOLoader;
+  /** Opens a glTF asset elsewhere, such as in a worker; null leaves it to this thread. */
+  openGltf?(asset: Asset): GltfSource | null;
+  /** The same for an environment. */
+  decodeEnvironment?(asset: Asset): Promise<THREE.DataTexture> | null;
 }
 
-interface OpenGltf {
-  file: GltfFile;
-  geometries(): Promise<Geometries>;
+/** A glTF file that is open. */
+export interface GltfSource {
+  /** Of a primitive of a node's mesh; nodes with the same mesh share it. */
+  geometry(node: number, primitive: number): Promise<THREE.BufferGeometry>;
+  /** Of a texture, decoded. */
+  image(texture: number): Promise<TextureImage>;
 }
 
 export class AssetLoader {
   readonly #platform: AssetPlatform;
   readonly #images = new WeakMap<Asset, Map<number | null, Promise<TextureImage>>>();
-  readonly #gltfs = new WeakMap<Asset, OpenGltf>();
+  readonly #gltfs = new WeakMap<Asset, GltfSource>();
   #suzanne: Promise<THREE.BufferGeometry> | null = null;
   #draco: DRACOLoader | null = null;
 
@@ -48,13 +55,20 @@ export class AssetLoader {
 
   /** The geometry of a primitive of a node's mesh; shared, so not to be changed or disposed. */
   async gltfGeometry(asset: Asset, node: number, primitive: number): Promise<THREE.BufferGeometry> {
-    const geometries = await this.gltf(asset).geometries();
-    return geometries(node, primitive);
+    return this.#gltf(asset).geometry(node, primitive);
+  }
+
+  /** What is open already need not be opened again. */
+  adopt(asset: Asset, source: GltfSource): void {
+    this.#gltfs.set(asset, source);
   }
 
   /** Throws GltfError if the asset is not a glTF file. */
-  gltf(asset: Asset): OpenGltf {
-    const open = this.#gltfs.get(asset) ?? this.#openGltf(readGltf(decodeBase64(asset.data), asset.name));
+  #gltf(asset: Asset): GltfSource {
+    const open =
+      this.#gltfs.get(asset) ??
+      this.#platform.openGltf?.(asset) ??
+      this.#openGltf(readGltf(decodeBase64(asset.data), asset.name));
     this.#gltfs.set(asset, open);
     return open;
   }
@@ -66,6 +80,8 @@ export class AssetLoader {
 
   /** The caller's own, to dispose of. */
   async environment(asset: Asset): Promise<THREE.DataTexture> {
+    const elsewhere = this.#platform.decodeEnvironment?.(asset);
+    if (elsewhere) return elsewhere;
     const bytes = decodeBase64(asset.data);
     if (!/^image\/(png|jpeg|webp|avif)$/.test(asset.mediaType)) return decodeEnvironment(bytes, asset.name);
     const { environmentOfImage } = await import('./image-environment.ts');
@@ -86,15 +102,14 @@ export class AssetLoader {
     try {
       if (texture === null)
         return await this.#platform.decodeImage(decodeBase64(asset.data), asset.mediaType);
-      const { bytes, mediaType } = textureImage(this.gltf(asset).file, texture);
-      return await this.#platform.decodeImage(new Uint8Array(bytes), mediaType);
+      return await this.#gltf(asset).image(texture);
     } catch (cause) {
       const place = texture === null ? asset.name : `${asset.name}, textures[${texture}]`;
       throw new Error(`${place}: the image cannot be read: ${messageOf(cause)}`, { cause });
     }
   }
 
-  #openGltf(file: GltfFile): OpenGltf {
+  #openGltf(file: GltfFile): GltfSource {
     let geometries: Promise<Geometries> | null = null;
     const open = async () => {
       const { openGeometries } = await import('../io/gltf/geometry.ts');
@@ -104,18 +119,19 @@ export class AssetLoader {
       });
     };
     return {
-      file,
-      geometries() {
+      async geometry(node, primitive) {
         geometries ??= open();
-        return geometries;
+        return (await geometries)(node, primitive);
+      },
+      image: async (texture) => {
+        const { bytes, mediaType } = textureImage(file, texture);
+        return this.#platform.decodeImage(new Uint8Array(bytes), mediaType);
       },
     };
   }
 
   async #loadSuzanne(): Promise<THREE.BufferGeometry> {
-    const open = this.#openGltf(readGltf(bytesOf(await loadSuzanne()), 'Suzanne'));
-    const geometries = await open.geometries();
-    return geometries(0, 0);
+    return this.#openGltf(readGltf(bytesOf(await loadSuzanne()), 'Suzanne')).geometry(0, 0);
   }
 }
 

@@ -1,8 +1,16 @@
 /** Base64 for assets: whole files, so without a call per byte and without a big argument list. */
 
+/** What newer engines have (ECMAScript 2026), some ten times as fast. */
+interface NativeBase64 {
+  fromBase64?(text: string): Uint8Array<ArrayBuffer>;
+}
+const native = Uint8Array as unknown as NativeBase64;
+const toBase64 = (Uint8Array.prototype as { toBase64?(): string }).toBase64;
+
 const chunkSize = 0x8000;
 
 export function encodeBase64(bytes: Uint8Array): string {
+  if (toBase64) return toBase64.call(bytes);
   const chunks: string[] = [];
   // A multiple of three bytes per chunk, so that only the last one is padded.
   const step = chunkSize - (chunkSize % 3);
@@ -12,6 +20,7 @@ export function encodeBase64(bytes: Uint8Array): string {
 }
 
 export function decodeBase64(text: string): Uint8Array<ArrayBuffer> {
+  if (native.fromBase64) return native.fromBase64(text);
   const binary = atob(text);
   const bytes = new Uint8Array(binary.length);
   for (let i = 0; i < binary.length; i += 1) bytes[i] = binary.charCodeAt(i);

@@ -9,6 +9,7 @@ import { type DocumentIssue, type Path, pathText, shortened } from './error.ts';
 import { materialMaps } from './material-schema.ts';
 import { findModel, modelFault, modelNames, modelOrigin } from './models.ts';
 import {
+  type Asset,
   type Collection,
   collections,
   type Document,
@@ -40,6 +41,14 @@ export function schemaIssues(error: z.ZodError, prefix: Path = []): DocumentIssu
   });
 }
 
+/** Assets that this program made: to look at each of megabytes of base64 would hold up the page. */
+const trusted = new WeakSet<object>();
+
+/** Says that an asset is as the schema wants it, because it was made that way here. */
+export function trustAsset(asset: Asset): void {
+  trusted.add(asset);
+}
+
 /** Entities are complete in memory: a missing field has no default here. */
 function shapeIssues(document: Document, valid: Document | undefined): DocumentIssue[] {
   const issues: DocumentIssue[] = [];
@@ -61,7 +70,7 @@ function shapeIssues(document: Document, valid: Document | undefined): DocumentI
       continue;
     }
     for (const [id, entity] of Object.entries(entities))
-      if (entity !== before[id]) check(entitySchemas[name], entity, [name, id]);
+      if (entity !== before[id] && !trusted.has(entity)) check(entitySchemas[name], entity, [name, id]);
     // Ids and their number: the entities themselves have just been seen.
     const ids = Object.keys(entities);
     if (ids.some((id) => !Object.hasOwn(before, id))) check(documentShape[name], entities, [name]);

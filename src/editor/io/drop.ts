@@ -9,7 +9,12 @@ export function installDrop(viewport: HTMLElement, onFiles: (files: File[]) => v
     'div',
     { class: 'drop-target', hidden: true },
     h('strong', {}, 'Drop to open'),
-    h('p', {}, `Scene .json · model .glb .gltf · BRDF .brdf .bparam ${measured} · environment .hdr .exr`),
+    h(
+      'p',
+      {},
+      'Scene .json, three.js .json · model .glb .gltf .obj .ply .stl · folder, .zip · ' +
+        `BRDF .brdf .bparam ${measured} · environment .hdr .exr .jpg .png`,
+    ),
   );
   viewport.append(target);
   const hasFiles = (event: DragEvent) => event.dataTransfer?.types.includes('Files') ?? false;

@@ -14,29 +14,27 @@ const MEDIA_TYPES: Readonly<Record<string, string>> = {
   gltf: 'model/gltf+json',
 };
 
+const MODELS = ['glb', 'gltf', 'obj', 'ply', 'stl'];
+
 const IMAGES = ['png', 'jpg', 'jpeg', 'webp', 'avif'];
 const ENVIRONMENTS = ['hdr', 'exr'];
 
 const accept = (extensions: readonly string[]) => extensions.map((extension) => `.${extension}`).join(',');
 
 export const IMAGE_ACCEPT = accept(IMAGES);
-export const ENVIRONMENT_ACCEPT = accept(ENVIRONMENTS);
+/** Ordinary images light a scene, too, though nothing in them is brighter than white. */
+export const ENVIRONMENT_ACCEPT = accept([...ENVIRONMENTS, ...IMAGES]);
 export const ANY_ACCEPT = accept([
-  ...['json', 'glb', 'gltf', 'bin', 'brdf', 'bparam'],
+  ...['json', 'zip', 'bin', 'mtl', 'brdf', 'bparam'],
+  ...MODELS,
   ...measuredExtensions,
   ...ENVIRONMENTS,
   ...IMAGES,
 ]);
 
 export type FileKind =
-  | 'document'
-  | 'gltf'
-  | 'brdf'
-  | 'measured'
-  | 'parameters'
-  | 'environment'
-  | 'image'
-  | 'unknown';
+  /** A document, a scene of three.js or a material: what is inside tells. */
+  'json' | 'model' | 'archive' | 'brdf' | 'measured' | 'parameters' | 'environment' | 'image' | 'unknown';
 
 export function extensionOf(name: string): string {
   return /\.([a-z0-9]+)$/i.exec(name)?.[1]?.toLowerCase() ?? '';
@@ -44,8 +42,9 @@ export function extensionOf(name: string): string {
 
 export function fileKind(name: string): FileKind {
   const extension = extensionOf(name);
-  if (extension === 'json') return 'document';
-  if (extension === 'glb' || extension === 'gltf') return 'gltf';
+  if (extension === 'json') return 'json';
+  if (extension === 'zip') return 'archive';
+  if (MODELS.includes(extension)) return 'model';
   if (extension === 'brdf') return 'brdf';
   if (measuredExtensions.includes(extension)) return 'measured';
   if (extension === 'bparam') return 'parameters';

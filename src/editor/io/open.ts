@@ -1,16 +1,18 @@
 /**
- * Files into the scene, whichever way they come: dropped, opened, or handed over by the server.
- * What cannot be read changes nothing and says what is wrong with it.
+ * Files into the scene, whichever way they come: dropped, opened, in an archive, from an address, or handed over by the
+ * server. What cannot be read changes nothing and says what is wrong with it.
  */
 import type { AssetLoader } from '../../scene/assets.ts';
 import { keepAsset } from '../../scene/commands.ts';
-import { parseDocument } from '../../scene/document.ts';
 import { measuredKinds } from '../../scene/measured.ts';
 import type { Document } from '../../scene/schema.ts';
 import type { DocumentStore } from '../../scene/store.ts';
 import type { EditorStateStore } from '../state.ts';
+import { confirm } from '../ui/confirm.ts';
 import { startProgress, toast, toastError } from '../ui/toast.ts';
-import { fileKind, pathOf, readAsset, readBytes } from './files.ts';
+import { fileKind, pathOf, readAsset } from './files.ts';
+import { ImportCancelled } from './importer/import-job.ts';
+import { importFile, runImport } from './open-import.ts';
 import { openBparam, openBrdf, openMeasured } from './open-model.ts';
 
 export interface OpenContext {
@@ -21,40 +23,129 @@ export interface OpenContext {
   replaceDocument(document: Document): Promise<boolean>;
 }
 
-export async function openFiles(context: OpenContext, files: readonly File[]): Promise<void> {
-  const main = files.filter((file) => fileKind(file.name) !== 'unknown');
-  const models = main.filter((file) => fileKind(file.name) === 'gltf');
-  // The images and buffers that come with a .gltf are its parts, not files to open.
-  const parts = models.some((file) => /\.gltf$/i.test(file.name));
-  const toOpen = parts ? main.filter((file) => !['image'].includes(fileKind(file.name))) : main;
-  if (toOpen.length === 0 && files[0]) {
-    toast('error', `${files[0].name}: not a kind of file that Irradia opens`, FORMATS);
+const FORMATS =
+  'It opens scenes (.json, those of three.js too), models (.glb, .gltf, .obj, .ply, .stl), folders and .zip archives of ' +
+  `them, BRDFs (.brdf, .bparam), measured BRDFs: ${measuredKinds}, environments (.hdr, .exr) and images.`;
+
+/** More models than this at once are asked about: an archive may be a whole library. */
+const MANY_MODELS = 12;
+
+/** @param as what images are for, where the person was asked for an environment */
+export async function openFiles(
+  context: OpenContext,
+  given: readonly File[],
+  { environment = false } = {},
+): Promise<void> {
+  const files: File[] = [];
+  for (const file of given)
+    if (fileKind(file.name) === 'archive') files.push(...(await unpacked(file)));
+    else files.push(file);
+  const toOpen = filesToOpen(files);
+  if (toOpen.length === 0) {
+    if (given[0] && fileKind(given[0].name) !== 'archive')
+      toast('error', `${given[0].name}: not a kind of file that Irradia opens`, FORMATS);
+    else if (given[0] && files.length > 0)
+      toast('error', `${given[0].name}: nothing in it is a kind of file that Irradia opens`, FORMATS);
+    return;
   }
-  // Saved parameters come last: the model that they are for may be among the files.
-  const order = (file: File) => (fileKind(file.name) === 'parameters' ? 1 : 0);
-  for (const file of toOpen.toSorted((a, b) => order(a) - order(b))) await openFile(context, file, files);
+  const models = toOpen.filter((file) => fileKind(file.name) === 'model').length;
+  if (models > MANY_MODELS) {
+    const detail = 'They come with all that lies beside them. Each is an undo step of its own.';
+    if (!(await confirm(`Import ${models} models?`, detail, 'Import'))) return;
+  }
+  for (const file of toOpen) if (!(await openFile(context, file, files, environment))) return;
 }
 
-const FORMATS =
-  'It opens scenes (.json), models (.glb, .gltf), BRDFs (.brdf, .bparam), ' +
-  `measured BRDFs: ${measuredKinds}, environments (.hdr, .exr) and images.`;
-
-async function openFile(context: OpenContext, file: File, all: readonly File[]): Promise<void> {
-  const progress = startProgress(`Reading ${file.name}`);
-  progress.update(`Reading ${file.name}`, null);
+/** A file, and others that it refers to, from an address. */
+export async function openAddress(context: OpenContext, address: string): Promise<void> {
+  const name = address.replace(/[?#].*$/, '').replace(/^.*\//, '') || address;
   try {
-    switch (fileKind(file.name)) {
-      case 'document':
-        await openDocument(context, file);
-        break;
-      case 'gltf':
-        await openGltf(context, file, all, (text, fraction) => progress.update(text, fraction));
+    const { result } = await runImport(`Fetching ${name}`, {
+      kind: 'fetch',
+      url: new URL(address, location.href).href,
+    });
+    if (result.kind === 'files') await openFiles(context, result.files.map(placedFile));
+  } catch (error) {
+    if (!(error instanceof ImportCancelled))
+      toastError(`${name} was not opened; the scene is unchanged`, error);
+  }
+}
+
+/** Those that are opened; the others are parts of them, or of no kind that is known. */
+function filesToOpen(files: readonly File[]): File[] {
+  const known = files.filter((file) => fileKind(file.name) !== 'unknown');
+  const models = known.filter((file) => fileKind(file.name) === 'model');
+  // Libraries offer the same model in several formats; the one that says most comes first.
+  const order = ['glb', 'gltf', 'obj', 'ply', 'stl'];
+  const rank = (file: File) => order.indexOf(file.name.replace(/^.*\./, '').toLowerCase());
+  const stem = (file: File) => file.name.replace(/\.[^.]*$/, '').toLowerCase();
+  const best = new Map<string, File>();
+  for (const file of models.toSorted((a, b) => rank(a) - rank(b)))
+    if (file.webkitRelativePath === '' || !best.has(stem(file))) best.set(pathKey(file, stem(file)), file);
+  const isPart = (file: File): boolean => {
+    const kind = fileKind(file.name);
+    // Beside a model, images are its textures, and .json files of its folder say things about it.
+    if (models.length > 0) return kind === 'image' || (kind === 'json' && file.webkitRelativePath !== '');
+    // Beside a scene, too.
+    return kind === 'image' && known.some((other) => fileKind(other.name) === 'json');
+  };
+  // Saved parameters come last: the model that they are for may be among the files.
+  const late = (file: File) => (fileKind(file.name) === 'parameters' ? 1 : 0);
+  const chosen = new Set(best.values());
+  return known
+    .filter((file) => (fileKind(file.name) === 'model' ? chosen.has(file) : !isPart(file)))
+    .toSorted((a, b) => late(a) - late(b));
+}
+
+/** Files that were dropped by themselves are all meant. */
+const pathKey = (file: File, stem: string): string =>
+  file.webkitRelativePath === '' ? `${stem} ${file.name} ${file.lastModified} ${file.size}` : stem;
+
+function placedFile({ path, bytes }: { path: string; bytes: Uint8Array<ArrayBuffer> }): File {
+  const file = new File([bytes], path.replace(/^.*\//, ''));
+  // Where it lay, as a folder chosen in a dialog would say it.
+  if (path.includes('/')) Object.defineProperty(file, 'webkitRelativePath', { value: path });
+  return file;
+}
+
+async function unpacked(archive: File): Promise<File[]> {
+  try {
+    const { result } = await runImport(`Reading ${archive.name}`, {
+      kind: 'unzip',
+      archive: { path: pathOf(archive), file: archive },
+    });
+    // An archive is a folder, whether it has folders or not.
+    return result.kind === 'files'
+      ? result.files.map(({ path, bytes }) => placedFile({ path: `${archive.name}/${path}`, bytes }))
+      : [];
+  } catch (error) {
+    if (!(error instanceof ImportCancelled))
+      toastError(`${archive.name} was not opened; the scene is unchanged`, error);
+    return [];
+  }
+}
+
+/** False where the person gave up: what follows is not wanted, either. */
+async function openFile(
+  context: OpenContext,
+  file: File,
+  all: readonly File[],
+  environment: boolean,
+): Promise<boolean> {
+  const kind = fileKind(file.name);
+  const progress = kind === 'json' || kind === 'model' ? null : startProgress(`Reading ${file.name}`);
+  progress?.update(`Reading ${file.name}`, null);
+  try {
+    switch (kind) {
+      case 'json':
+      case 'model':
+        await importFile(context, file, all);
         break;
       case 'brdf':
         await openBrdf(context, file);
         break;
       case 'measured':
-        await openMeasured(context, file, (text, fraction) => progress.update(text, fraction));
+        await openMeasured(context, file, (text, fraction) => progress?.update(text, fraction));
         break;
       case 'parameters':
         await openBparam(context, file);
@@ -63,25 +154,19 @@ async function openFile(context: OpenContext, file: File, all: readonly File[]):
         await openEnvironment(context, file);
         break;
       case 'image':
-        toast(
-          'info',
-          `${file.name}: where should this image go?`,
-          'Drop it on the square beside a value of a material.',
-        );
+        await openImage(context, file, environment);
         break;
+      case 'archive':
       case 'unknown':
         break;
     }
   } catch (error) {
+    if (error instanceof ImportCancelled) return false;
     toastError(`${file.name} was not opened; the scene is unchanged`, error);
   } finally {
-    progress.done();
+    progress?.done();
   }
-}
-
-async function openDocument({ replaceDocument }: OpenContext, file: File): Promise<void> {
-  const document = parseDocument(await file.text(), file.name);
-  if (await replaceDocument(document)) toast('success', `Opened ${document.name}`);
+  return true;
 }
 
 async function openEnvironment({ store, assets }: OpenContext, file: File): Promise<void> {
@@ -95,28 +180,22 @@ async function openEnvironment({ store, assets }: OpenContext, file: File): Prom
   toast('success', `${file.name} lights the scene`);
 }
 
-/** Everything in the file, in one undo step; the reader is fetched only now. */
-async function openGltf(
-  { store, state, assets }: OpenContext,
-  file: File,
-  all: readonly File[],
-  onProgress: (text: string, fraction: number | null) => void,
-): Promise<void> {
-  const read = (part: File) => readBytes(part, (fraction) => onProgress(`Reading ${part.name}`, fraction));
-  const bytes = await read(file);
-  const companions = new Map<string, Uint8Array>();
-  if (/\.gltf$/i.test(file.name)) {
-    for (const other of all) if (other !== file) companions.set(pathOf(other), await read(other));
+/** An image twice as wide as high shows all directions; of any other nobody knows where it should go. */
+async function openImage(context: OpenContext, file: File, environment: boolean): Promise<void> {
+  const bitmap = await createImageBitmap(file).catch(() => null);
+  if (bitmap === null) throw new Error('It is not an image that this browser can read.');
+  const { width, height } = bitmap;
+  bitmap.close();
+  if (environment || (width === 2 * height && width >= 256)) {
+    await openEnvironment(context, file);
+    const detail =
+      'It has 8 bits: nothing in it is brighter than white, so the sun is not. HDR and EXR images have it.';
+    toast('info', `About ${file.name}`, detail);
+    return;
   }
-  onProgress(`Decoding ${file.name}`, null);
-  const { addImported, importGltf } = await import('../../io/gltf.ts');
-  const imported = await importGltf(bytes, file.name, assets, { companions });
-  const { label, notes } = imported;
-  let ids: string[] = [];
-  store.edit(label, (draft) => {
-    ids = addImported(draft, imported);
-  });
-  if (ids[0]) state.select({ kind: 'objects', id: ids[0] });
-  toast('success', `Imported ${file.name}`);
-  if (notes.length > 0) toast('info', `About ${file.name}`, notes.join('\n'));
+  toast(
+    'info',
+    `${file.name}: where should this image go?`,
+    'Drop it on the square beside a value of a material, or choose it as the environment of the scene.',
+  );
 }

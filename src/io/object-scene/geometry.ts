@@ -34,6 +34,8 @@ export function readGeometry(entry: Entry, index: number, shapes: unknown, file:
     throw new ModelFileError(file, `geometries[${index}]`, message);
   };
   checkSize(entry, fail);
+  if (entry.type !== 'BufferGeometry' && !(entry.type in THREE))
+    fail(`there is no ${entry.type} in three.js`);
   let geometry: THREE.BufferGeometry | undefined;
   try {
     const loader = new THREE.ObjectLoader() as unknown as GeometryLoader;

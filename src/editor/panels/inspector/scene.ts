@@ -106,7 +106,8 @@ function environmentChoice(session: Session): Bound {
     tryEdit(store, 'Change environment', (draft) => {
       draft.environment.source = source;
     });
-  const open = async () => session.openFiles(await session.chooseFiles(ENVIRONMENT_ACCEPT));
+  const open = async () =>
+    session.openFiles(await session.chooseFiles(ENVIRONMENT_ACCEPT), { environment: true });
   const field = selectField('Environment', [], (value) => {
     const [type, name = ''] = value.split(':');
     if (type === OPEN_FILE) {
@@ -119,7 +120,11 @@ function environmentChoice(session: Session): Bound {
   });
   const update = () => {
     const { document } = store;
-    const files = Object.entries(document.assets).filter(([, asset]) => isEnvironmentAsset(asset));
+    const { source } = document.environment;
+    const isShown = (id: string) => source.type === 'hdr' && source.asset === id;
+    const files = Object.entries(document.assets).filter(
+      ([id, asset]) => isEnvironmentAsset(asset) || isShown(id),
+    );
     field.setChoices([
       { value: 'none', label: 'None' },
       { value: 'constant', label: 'Constant' },
@@ -129,9 +134,8 @@ function environmentChoice(session: Session): Bound {
         label: choiceLabel(name),
         group: 'Shipped',
       })),
-      { value: OPEN_FILE, label: 'Open HDR or EXR…' },
+      { value: OPEN_FILE, label: 'Open HDR, EXR or image…' },
     ]);
-    const { source } = document.environment;
     const name = source.type === 'hdr' ? source.asset : source.type === 'preset' ? source.name : null;
     field.show(name === null ? source.type : `${source.type}:${name}`);
   };

@@ -1,0 +1,107 @@
+/** A file from an address, with the files that it refers to beside it. */
+import { pathIn } from '../../../io/meshes/companions.ts';
+import { ModelFileError } from '../../../io/meshes/error.ts';
+import type { Progress } from './jobs.ts';
+
+const MOST_BYTES = 512 * 1024 * 1024;
+const MOST_PARTS = 500;
+
+interface Fetched {
+  path: string;
+  bytes: Uint8Array<ArrayBuffer>;
+}
+
+/** The file itself comes first. @throws ModelFileError naming the address */
+export async function fetchFiles(address: string, progress: Progress): Promise<Fetched[]> {
+  const url = new URL(address);
+  if (!/^https?:$/.test(url.protocol))
+    throw new ModelFileError(address.slice(0, 200), '', 'only http and https addresses are fetched');
+  const path = decodeURIComponent(url.pathname).replace(/^.*\//, '') || 'file';
+  const main = { path, bytes: await fetchBytes(url, progress) };
+  const parts: Fetched[] = [];
+  // What a .obj file names may name more, as materials name textures.
+  let references = referencesOf(main);
+  const known = new Set([path]);
+  while (references.length > 0) {
+    const wanted = references.filter((reference) => !known.has(reference));
+    references = [];
+    for (const reference of wanted) {
+      known.add(reference);
+      if (known.size > MOST_PARTS)
+        throw new ModelFileError(path, '', `it refers to more than ${MOST_PARTS} files`);
+      const target = new URL(reference, url);
+      // Beside the file, so that a file cannot make the page ask other servers.
+      if (target.origin !== url.origin) continue;
+      // What is missing the import will tell: it knows what it cannot do without.
+      const bytes = await fetchBytes(target, progress).catch(() => null);
+      if (bytes === null) continue;
+      const part = { path: pathIn(reference), bytes };
+      parts.push(part);
+      references.push(...referencesOf(part));
+    }
+  }
+  return [main, ...parts];
+}
+
+async function fetchBytes(url: URL, progress: Progress): Promise<Uint8Array<ArrayBuffer>> {
+  const name = decodeURIComponent(url.pathname).replace(/^.*\//, '') || url.host;
+  const fail = (message: string, cause?: unknown): never => {
+    throw new ModelFileError(url.href.slice(0, 300), '', message, { cause });
+  };
+  progress(`Fetching ${name}`, null);
+  const response = await fetch(url, { credentials: 'omit', referrerPolicy: 'no-referrer' }).catch((cause) =>
+    fail(
+      'it could not be fetched: no connection, or the server does not let other pages have it (CORS)',
+      cause,
+    ),
+  );
+  if (!response.ok || response.body === null)
+    return fail(`the server answered ${response.status} ${response.statusText}`);
+  const size = Number(response.headers.get('content-length')) || 0;
+  const parts: Uint8Array[] = [];
+  let length = 0;
+  const reader = response.body.getReader();
+  for (let part = await reader.read(); !part.done; part = await reader.read()) {
+    length += part.value.length;
+    if (length > MOST_BYTES) {
+      await reader.cancel();
+      fail(`more than ${MOST_BYTES} bytes`);
+    }
+    parts.push(part.value);
+    progress(`Fetching ${name}`, size >= length ? length / size : null);
+  }
+  const bytes = new Uint8Array(length);
+  let at = 0;
+  for (const part of parts) {
+    bytes.set(part, at);
+    at += part.length;
+  }
+  return bytes;
+}
+
+const isRelative = (reference: unknown): reference is string =>
+  typeof reference === 'string' && reference !== '' && !/^([a-z][a-z0-9+.-]*:|\/\/)/i.test(reference);
+
+/** The files beside it that a file asks for. What is wrong with it the import will say. */
+function referencesOf({ path, bytes }: Fetched): string[] {
+  const text = () => new TextDecoder().decode(bytes);
+  if (/\.(gltf|json)$/i.test(path)) {
+    try {
+      const { buffers = [], images = [] } = JSON.parse(text()) as Record<string, Record<string, unknown>[]>;
+      return [...buffers.map(({ uri }) => uri), ...images.map(({ uri, url }) => uri ?? url)].filter(
+        isRelative,
+      );
+    } catch {
+      return [];
+    }
+  }
+  if (/\.obj$/i.test(path))
+    return [...text().matchAll(/^\s*mtllib\s+(.+?)\s*$/gm)].map(([, name]) => name ?? '').filter(isRelative);
+  if (/\.mtl$/i.test(path))
+    return [
+      ...text().matchAll(/^\s*(?:map_\w+|norm|bump)\s+(?:-\w+\s+(?:(?:on|off|[-\d.]+)\s+)*)*(.+?)\s*$/gim),
+    ]
+      .map(([, name]) => name ?? '')
+      .filter(isRelative);
+  return [];
+}

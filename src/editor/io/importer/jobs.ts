@@ -1,0 +1,140 @@
+/** Reading of files: all that takes time is done here, and told as it goes on. */
+
+import { importModel, importObjectScene, isModelFile } from '../../../io/import-model.ts';
+import { isMaterialFile, readMaterialFile } from '../../../io/material-file.ts';
+import type { Companions } from '../../../io/meshes/companions.ts';
+import { readZip } from '../../../io/zip.ts';
+import { messageOf } from '../../../scene/assets.ts';
+import { parseDocument } from '../../../scene/document.ts';
+import { fetchFiles } from './fetch.ts';
+import type { EnvironmentData, FromImporter, ImportResult, PlacedFile, ToImporter } from './messages.ts';
+import type { Server } from './server.ts';
+
+type Job = Extract<ToImporter, { kind: 'import' | 'unzip' | 'fetch' | 'environment' }>;
+type Post = (message: FromImporter, transfer?: Transferable[]) => void;
+export type Progress = (text: string, fraction: number | null) => void;
+
+/** All that is read at once; a folder can hold more than any scene. */
+const MOST_BYTES = 1024 * 1024 * 1024;
+
+const nameOf = (path: string): string => path.replace(/^.*[/\\]/, '');
+
+export async function runJob(job: Job, server: Server, post: Post): Promise<void> {
+  try {
+    const result = await resultOf(job, server, (text, fraction) =>
+      post({ kind: 'progress', text, fraction }),
+    );
+    post({ kind: 'done', result }, buffersOf(result));
+  } catch (error) {
+    post({ kind: 'failed', message: messageOf(error) });
+  }
+}
+
+function buffersOf(result: ImportResult): ArrayBuffer[] {
+  if (result.kind === 'files') return [...new Set(result.files.map(({ bytes }) => bytes.buffer))];
+  return result.kind === 'environment' ? [result.environment.data.buffer] : [];
+}
+
+async function resultOf(job: Job, server: Server, progress: Progress): Promise<ImportResult> {
+  switch (job.kind) {
+    case 'import':
+      return read(job.main, job.others, server, progress);
+    case 'fetch':
+      return { kind: 'files', files: await fetchFiles(job.url, progress) };
+    case 'environment': {
+      const { image, format, type, colorSpace, flipY } = await server.assets.environment(job.asset);
+      const data = image.data as unknown as EnvironmentData['data'];
+      const { width, height } = image;
+      return { kind: 'environment', environment: { data, width, height, format, type, colorSpace, flipY } };
+    }
+    case 'unzip': {
+      const { path } = job.archive;
+      const bytes = await bytesOf(job.archive, (fraction) => progress(`Reading ${nameOf(path)}`, fraction));
+      progress(`Unpacking ${nameOf(path)}`, null);
+      const files = [...readZip(bytes, nameOf(path))].map(([inside, content]) => ({
+        path: inside,
+        // A buffer of its own, which can be handed over.
+        bytes:
+          content.byteLength === content.buffer.byteLength
+            ? (content as Uint8Array<ArrayBuffer>)
+            : content.slice(),
+      }));
+      return { kind: 'files', files };
+    }
+  }
+}
+
+/** The parts of a model that may lie beside it. */
+const isPart = (path: string): boolean => /\.(bin|mtl|png|jpe?g|webp|avif|ktx2|glb)$/i.test(path);
+
+async function read(
+  main: PlacedFile,
+  others: readonly PlacedFile[],
+  server: Server,
+  progress: Progress,
+): Promise<ImportResult> {
+  const name = nameOf(main.path);
+  const parts = /\.(gltf|obj|json)$/i.test(name) ? others.filter(({ path }) => isPart(path)) : [];
+  const total = [main, ...parts].reduce((sum, { file }) => sum + file.size, 0);
+  if (total > MOST_BYTES) throw new Error(`${name}: with what lies beside it, more than ${MOST_BYTES} bytes`);
+  let before = 0;
+  const load = async (placed: PlacedFile): Promise<Uint8Array<ArrayBuffer>> => {
+    const bytes = await bytesOf(placed, (fraction) =>
+      progress(`Reading ${nameOf(placed.path)}`, (before + fraction * placed.file.size) / Math.max(1, total)),
+    );
+    before += placed.file.size;
+    return bytes;
+  };
+  const bytes = await load(main);
+  const companions = new Map<string, Uint8Array>();
+  for (const part of parts) companions.set(part.path, await load(part));
+  progress(`Decoding ${name}`, 0);
+  const options = {
+    companions,
+    onProgress: (fraction: number) => progress(`Decoding ${name}`, fraction),
+  };
+  if (isModelFile(name)) return modelOf(await importModel(bytes, main.path, server.assets, options), server);
+  return readJson(bytes, name, options, server);
+}
+
+function modelOf(imported: Awaited<ReturnType<typeof importModel>>, server: Server): ImportResult {
+  server.open(imported.asset);
+  return { kind: 'model', imported };
+}
+
+/** A document, a scene of three.js or a material: what is inside tells. */
+async function readJson(
+  bytes: Uint8Array,
+  name: string,
+  options: { companions: Companions; onProgress(fraction: number): void },
+  server: Server,
+): Promise<ImportResult> {
+  const text = new TextDecoder().decode(bytes);
+  let json: unknown = null;
+  try {
+    json = JSON.parse(text);
+  } catch {
+    // The document's own parser says where it ends to be JSON.
+  }
+  if (isMaterialFile(json)) return { kind: 'material', material: readMaterialFile(json, name) };
+  const scene = await importObjectScene(json, name, server.assets, options);
+  return scene === null
+    ? { kind: 'document', document: parseDocument(json ?? text, name) }
+    : modelOf(scene, server);
+}
+
+/** Telling how far it is: files of hundreds of megabytes take a while. */
+async function bytesOf(
+  { file }: PlacedFile,
+  onProgress: (fraction: number) => void,
+): Promise<Uint8Array<ArrayBuffer>> {
+  const bytes = new Uint8Array(file.size);
+  let at = 0;
+  const reader = file.stream().getReader();
+  for (let part = await reader.read(); !part.done; part = await reader.read()) {
+    bytes.set(part.value, at);
+    at += part.value.length;
+    onProgress(at / file.size);
+  }
+  return bytes;
+}

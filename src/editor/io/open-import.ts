@@ -1,0 +1,64 @@
+/** Models, scenes and materials from files: read in a thread of their own, put into the scene in one undo step. */
+
+import { trustAsset } from '../../scene/validate.ts';
+import { startProgress, toast } from '../ui/toast.ts';
+import { pathOf } from './files.ts';
+import { type ImportJob, startJob } from './importer/import-job.ts';
+import type { ToImporter } from './importer/messages.ts';
+import type { OpenContext } from './open.ts';
+
+type Result = Awaited<ImportJob['result']>;
+
+/** Shows how far a job is, with a way to give it up. */
+export async function runImport(text: string, message: ToImporter): Promise<Result> {
+  let job: ImportJob | null = null;
+  const progress = startProgress(text, () => job?.cancel());
+  progress.update(text, null);
+  try {
+    job = startJob(message, (now, fraction) => progress.update(now, fraction));
+    return await job.result;
+  } finally {
+    progress.done();
+  }
+}
+
+/** @throws ImportCancelled, or Error that says what is wrong with the file and where */
+export async function importFile(context: OpenContext, file: File, all: readonly File[]): Promise<void> {
+  const { store, state, assets } = context;
+  const placed = (one: File) => ({ path: pathOf(one), file: one });
+  const { result, source } = await runImport(`Reading ${file.name}`, {
+    kind: 'import',
+    main: placed(file),
+    others: all.filter((other) => other !== file).map(placed),
+  });
+  switch (result.kind) {
+    case 'document':
+      if (await context.replaceDocument(result.document)) toast('success', `Opened ${result.document.name}`);
+      return;
+    case 'material': {
+      const { addMaterialFile } = await import('../../io/material-file.ts');
+      let id = '';
+      store.edit(`Import ${file.name}`, (draft) => {
+        id = addMaterialFile(draft, result.material);
+      });
+      state.select({ kind: 'materials', id });
+      toast('success', `Added the material ${store.document.materials[id]?.name}`);
+      return;
+    }
+    case 'model': {
+      const { imported } = result;
+      const { addImported } = await import('../../io/gltf/add.ts');
+      assets.adopt(imported.asset, source);
+      trustAsset(imported.asset);
+      let ids: string[] = [];
+      store.edit(imported.label, (draft) => {
+        ids = addImported(draft, imported);
+      });
+      // Panels that follow are work of their own: the page may draw in between.
+      await new Promise((resolve) => setTimeout(resolve));
+      if (ids[0]) state.select({ kind: 'objects', id: ids[0] });
+      toast('success', `Imported ${file.name}`);
+      if (imported.notes.length > 0) toast('note', `About ${file.name}`, imported.notes.join('\n'));
+    }
+  }
+}

@@ -1,0 +1,12 @@
+/** A scene for a model that comes with none: nothing in it but light from all around. */
+import { createDocument } from '../scene/document.ts';
+import type { Document } from '../scene/schema.ts';
+
+export function modelStage(name: string): Document {
+  const empty = createDocument(name.slice(0, 200));
+  return {
+    ...empty,
+    environment: { ...empty.environment, source: { type: 'preset', name: 'studio' } },
+    background: { type: 'color', color: [0.05, 0.05, 0.055] },
+  };
+}
