@@ -101,14 +101,13 @@ export class DataViews {
   }
 
   #ofSurfaces(show: Show): Node {
-    const { depth, normal, velocity, projectionInverse, size } = this.#inputs;
+    const { depth, normal, velocity, near, far, size } = this.#inputs;
     const isSurface = float(depth.r.lessThan(1)) as unknown as Node<'float'>;
     if (show === 'meshNormals') return vec4(this.#toWorld(normal.rgb), 1).mul(isSurface);
     // Rows count from the top.
     if (show === 'motion') return vec4(velocity.rg.mul(size).mul(vec2(0.5, -0.5)), 0, 1).mul(isSurface);
-    const place = uv().mul(vec2(2, -2)).add(vec2(-1, 1));
-    const point = projectionInverse.mul(vec4(place, depth.r, 1)) as unknown as Node<'vec4'>;
-    const distance = point.z.negate().div(point.w);
+    // 1/z is linear in the depth, on both back ends.
+    const distance = depth.r.oneMinus().div(near).add(depth.r.div(far)).reciprocal();
     return vec4(vec3(distance), 1).mul(isSurface);
   }
 

@@ -2,9 +2,10 @@
 import type { EffectDefinition } from '../frame/effect.ts';
 import { ambientOcclusion } from './ambient-occlusion.ts';
 import { bloom } from './bloom.ts';
+import { depthOfField } from './depth-of-field/index.ts';
 import { contactShadows } from './contact-shadows.ts';
 import { fxaa } from './fxaa.ts';
 import { smaa } from './smaa.ts';
 import { temporal } from './temporal.ts';
 
-export const effects: readonly EffectDefinition[] = [ambientOcclusion, contactShadows, temporal, bloom, smaa, fxaa];
+export const effects: readonly EffectDefinition[] = [ambientOcclusion, contactShadows, temporal, depthOfField, bloom, smaa, fxaa];
