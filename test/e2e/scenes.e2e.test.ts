@@ -21,7 +21,7 @@ it('the menu opens another scene', async () => {
   const page = await (await lab.open()).ready();
   const first = await page.document();
   await page.menu('File', 'Thesis demo02');
-  await page.page.waitForFunction(`irradia.store.document.name !== ${JSON.stringify(first.name)}`);
+  await page.until(`irradia.store.document.name !== ${JSON.stringify(first.name)}`);
   expect((await page.picture()).colors).toBeGreaterThan(50);
   expect(page.errors).toEqual([]);
 });

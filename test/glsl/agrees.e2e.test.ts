@@ -1,11 +1,10 @@
-import { afterAll, expect, it } from 'vitest';
-import { openHarness } from '../support/harness.ts';
+import { expect, it } from 'vitest';
+import { pageHarness } from '../support/page.ts';
 import type { Comparison } from './comparison.ts';
 
 /** agrees.gpu.test.ts on the other back end: WebGL 2, in a browser. */
 
-const harness = await openHarness(new URL('./agrees.page.ts', import.meta.url));
-afterAll(() => harness.close());
+const harness = await pageHarness(new URL('./agrees.page.ts', import.meta.url));
 
 it('every model is the same on WebGL 2 as in float64', async () => {
   const comparisons = await harness.run<Record<string, Comparison>>(64);

@@ -15,18 +15,19 @@ export interface PageHarness {
   close(): Promise<void>;
 }
 
-export async function openHarness(entry: URL): Promise<PageHarness> {
+/** @param shared a browser to run in, which stays open; one of its own if not given */
+export async function openHarness(entry: URL, shared?: Browser): Promise<PageHarness> {
   const files = new Map<string, Uint8Array | string>(await bundle(fileURLToPath(entry)));
   files.set(
     '/index.html',
     '<!doctype html><html lang="en"><script type="module" src="main.js"></script></html>',
   );
   const server = await startStaticServer({ files, port: 0 });
-  const browser = await launchBrowser();
+  const browser = shared ?? (await launchBrowser());
   return {
     run: <Result>(argument?: unknown) => runPage<Result>(browser, server.url, argument),
     async close() {
-      await browser.close();
+      if (!shared) await browser.close();
       await server.close();
     },
   };

@@ -1,4 +1,6 @@
+import type { Browser } from 'playwright-core';
 import { afterAll } from 'vitest';
+import { launchBrowser } from './browser.ts';
 import { openHarness, type PageHarness } from './harness.ts';
 
 export { watchErrors } from './harness.ts';
@@ -9,10 +11,20 @@ export { watchErrors } from './harness.ts';
  *     const harness = await pageHarness(new URL('./sphere.page.ts', import.meta.url));
  *     const pixels = await harness.run<number[]>({ forceWebGL: true });
  *
- * See PageHarness. The browser is closed after the file's last test.
+ * See PageHarness.
  */
 export async function pageHarness(entry: URL): Promise<PageHarness> {
-  const harness = await openHarness(entry);
+  const harness = await openHarness(entry, await testBrowser());
   afterAll(() => harness.close());
   return harness;
+}
+
+let launched: Promise<Browser> | undefined;
+
+/** The browser of all test files that share this process; it ends with the process. Every page is a profile of its own. */
+export async function testBrowser(): Promise<Browser> {
+  // One that a file's tests have brought down is no matter for the next file.
+  if (launched && !(await launched).isConnected()) launched = undefined;
+  launched ??= launchBrowser();
+  return launched;
 }
