@@ -16,6 +16,8 @@
 ::include lib/schlick.glsl
 ::include lib/diffuse-burley.glsl
 ::include lib/gtr2.glsl
+::include lib/missing-gtr2.glsl
+::include lib/multiple-scattering.glsl
 ::include lib/principled-parameters.glsl
 
 vec3 toColor(vec2 weights) {
@@ -67,6 +69,27 @@ vec3 BRDF(vec3 L, vec3 V, vec3 N, vec3 X, vec3 Y) {
     return toColor(vec2(coat(l, v, h, weightH), base)
         + specularFresnel(weightH) * reflection(l, v, h)
         + sheenColor() * weightH);
+}
+
+// What the specular facets reflect to one another before it leaves. An anisotropic surface counts as the round one
+// of the same area of facets.
+vec3 facetToFacet(vec3 l, vec3 v) {
+    vec2 alpha = principledAlpha(roughness, anisotropic);
+    float mean = sqrt(alpha.x * alpha.y);
+    return multipleScattering(missingGTR2(l.z, mean), missingGTR2(v.z, mean), missingMeanGTR2(mean),
+        toColor(specularFresnel(0.0)));
+}
+
+vec3 multipleScatteringLobe(vec3 L, vec3 V, vec3 N, vec3 X, vec3 Y) {
+    vec3 l = toFrame(L, N, X, Y);
+    vec3 v = toFrame(V, N, X, Y);
+    if (belowHorizon(l, v)) return vec3(0.0);
+    return facetToFacet(l, v);
+}
+
+// BRDF() and that: a white metal gives back all light, however rough.
+vec3 withMultipleScattering(vec3 L, vec3 V, vec3 N, vec3 X, vec3 Y) {
+    return BRDF(L, V, N, X, Y) + multipleScatteringLobe(L, V, N, X, Y);
 }
 
 vec3 diffuseLobe(vec3 L, vec3 V, vec3 N, vec3 X, vec3 Y) {

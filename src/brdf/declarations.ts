@@ -16,6 +16,7 @@ import type {
  *     # lobes: diffuseLobe, specularLobe
  *     # distributions: distribution
  *     # masking: viewMasking of distribution
+ *     # multiple scattering: withMultipleScattering
  *     # lossless: albedo = 1 1 1; metallic = 1
  *
  * Each is one line of its own and stands at most once. Other programs read a comment.
@@ -23,7 +24,7 @@ import type {
 
 export const WAIVABLE = ['positivity', 'reciprocity', 'energy', 'continuity'] as const;
 
-const KEYS = ['gives up', 'lobes', 'distributions', 'masking', 'lossless'] as const;
+const KEYS = ['gives up', 'lobes', 'distributions', 'masking', 'multiple scattering', 'lossless'] as const;
 type Key = (typeof KEYS)[number];
 
 /** @throws BrdfError naming the line that is not as above */
@@ -33,7 +34,10 @@ export function parseDeclarations(
 ): Declarations {
   const found = new Map<Key, { place: SourceLine; items: string[] }>();
   for (const place of header) {
-    const match = /^\s*(gives up|lobes|distributions|masking|lossless):\s*(.*?)\.?\s*$/.exec(place.text);
+    const match =
+      /^\s*(gives up|lobes|distributions|masking|multiple scattering|lossless):\s*(.*?)\.?\s*$/.exec(
+        place.text,
+      );
     if (!match) continue;
     const key = match[1] as Key;
     if (found.has(key)) throw new BrdfError(place, `a second line '${key}:'`, 'one list of all of them');
@@ -41,6 +45,8 @@ export function parseDeclarations(
       .split(key === 'lossless' ? ';' : ',')
       .map((item) => item.trim())
       .filter((item) => item !== '');
+    if (key === 'multiple scattering' && items.length > 1)
+      throw new BrdfError(place, `'${key}:' names more than one term`, 'one');
     if (items.length === 0) throw new BrdfError(place, `'${key}:' names nothing`, 'a list');
     found.set(key, { place, items });
   }
@@ -53,6 +59,7 @@ export function parseDeclarations(
     lobes: list('lobes', readName),
     distributions: list('distributions', readName),
     maskings: list('masking', readMasking),
+    multipleScattering: list('multiple scattering', readName)[0] ?? null,
     lossless: found.has('lossless')
       ? Object.fromEntries(list('lossless', (item, place) => readValue(item, place, parameters)))
       : null,

@@ -71,6 +71,8 @@ export interface Declarations {
   /** The terms that are distributions D(h) of facet normals. */
   readonly distributions: readonly string[];
   readonly maskings: readonly FacetMasking[];
+  /** The term that is BRDF() with the light that facets reflect to one another; null if the file names none. */
+  readonly multipleScattering: string | null;
   /** Values with which the surface gives back all light; null if the file names none. */
   readonly lossless: ParameterValues | null;
 }

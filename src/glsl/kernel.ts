@@ -57,7 +57,7 @@ function linkModel(model: Model, index: number): { program: Program; names: Map<
   });
   const names = new Map<string, FunctionIR>();
   for (const name of model.hasSampling ? ['BRDF', 'sampleL', 'pdf'] : ['BRDF']) {
-    const f = findFunction({ ...model, program }, name);
+    const f = findFunction({ ...model, program }, name === 'BRDF' ? model.main : name);
     if (f) names.set(name, f);
   }
   return { program, names };

@@ -18,6 +18,8 @@ export interface Model {
   /** Whether the file brings sampleL() and pdf() of its own. */
   readonly hasSampling: boolean;
   readonly program: Program;
+  /** The term that renderers evaluate; the file's BRDF() unless multipleScatteringModel() chose another. */
+  readonly main: string;
   /** Measured data, RGB triples that the GLSL reads by fetchData(int); null for a formula. */
   readonly data: Float32Array | null;
 }
@@ -51,6 +53,7 @@ export function compileModel(file: BrdfFile, data: Float32Array | null = null): 
     terms: termsOf(program),
     hasSampling: file.sampling !== null,
     program,
+    main: 'BRDF',
     data,
   };
   const wanted = file.sampling ? (['BRDF', 'sampleL', 'pdf'] as const) : (['BRDF'] as const);
@@ -64,7 +67,30 @@ export function compileModel(file: BrdfFile, data: Float32Array | null = null): 
       CONTRACT[name].text,
     );
   }
+  checkDeclaration(model);
   return model;
+}
+
+/** What a material's switch chooses must be there when the model is read, not when somebody throws it. */
+function checkDeclaration({ file, terms }: Model): void {
+  const { multipleScattering } = file.declarations;
+  if (multipleScattering === null || terms.includes(multipleScattering)) return;
+  throw new BrdfError(
+    { file: file.fileName, line: 1 },
+    `the header's 'multiple scattering:' names ${multipleScattering}(), which is no term of the model`,
+    terms.join(', '),
+  );
+}
+
+const withScattering = new WeakMap<Model, Model>();
+
+/** The model with its BRDF() taken from the term that has multiple scattering; itself if it has none. */
+export function multipleScatteringModel(model: Model): Model {
+  const main = model.file.declarations.multipleScattering;
+  if (main === null) return model;
+  const known = withScattering.get(model) ?? { ...model, main };
+  withScattering.set(model, known);
+  return known;
 }
 
 function termsOf(program: Program): string[] {

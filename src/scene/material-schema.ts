@@ -124,6 +124,9 @@ const common = {
   }),
   opacity: number('With mask or blend: how opaque the surface is', { range: [0, 1], step: 0.01 }),
   doubleSided: boolean('Show the faces’ backs too'),
+  multipleScattering: boolean(
+    'Adds the light that bounces from facet to facet: rough metals keep their brightness. For models that know it',
+  ),
 };
 
 export const materialShape = {
@@ -157,6 +160,7 @@ export const materialDefaults: Readonly<Material> = {
   alphaCutoff: 0.5,
   opacity: 1,
   doubleSided: false,
+  multipleScattering: false,
 };
 
 /** The model has no default in a file: what reflects the light is not left to guessing. */

@@ -15,6 +15,7 @@ describe('declarations of a header', () => {
       lobes: [],
       distributions: [],
       maskings: [],
+      multipleScattering: null,
       lossless: null,
     });
   });
@@ -25,6 +26,7 @@ describe('declarations of a header', () => {
       '# lobes: diffuseLobe, sheenLobe.',
       '# distributions: D',
       '# masking: G of D',
+      '# multiple scattering: all',
       '# lossless: albedo = 1 .5 1; on = 0; x = 1',
     ];
     expect(parse(header.join('\n'))).toEqual({
@@ -35,6 +37,7 @@ describe('declarations of a header', () => {
       lobes: ['diffuseLobe', 'sheenLobe'],
       distributions: ['D'],
       maskings: [{ masking: 'G', distribution: 'D' }],
+      multipleScattering: 'all',
       lossless: { albedo: [1, 0.5, 1], on: false, x: 1 },
     });
   });
@@ -45,6 +48,7 @@ describe('declarations of a header', () => {
     ['# lobes: a b', /test\.brdf:3: 'a b' is no name of a term/],
     ['# masking: G', /test\.brdf:3: 'G' is no masking; expected a term 'of' the distribution/],
     ['# lobes: a\n# lobes: b', /test\.brdf:4: a second line 'lobes:'/],
+    ['# multiple scattering: a, b', /test\.brdf:3: 'multiple scattering:' names more than one term/],
     ['# lossless: gain = 1', /test\.brdf:3: there is no parameter 'gain'/],
     ['# lossless: albedo = 1', /test\.brdf:3: albedo = '1'; expected three numbers/],
   ])('are refused where they are wrong: %s', (header, message) => {

@@ -185,6 +185,8 @@ describe('materials', () => {
     expect(mirror.materialFor(b.material)?.term).toBe('BRDF');
     setField(store, ['view', 'term'], null);
     expect(mirror.materialFor(a.material)?.term).toBe('BRDF');
+    setField(store, ['materials', a.material, 'multipleScattering'], true);
+    expect(mirror.materialFor(a.material)?.term).toBe('withMultipleScattering');
   });
 
   test('get textures when they have come, share them, and let them go', async () => {

@@ -4,7 +4,7 @@
  * What is large (meshes, texels, measurements, the sky's image) comes first, in parts that are kept from one packing
  * to the next; what an edit of a material, a light or a transform changes comes behind it and is written anew.
  */
-import type { Model } from '../../glsl/model.ts';
+import { type Model, multipleScatteringModel } from '../../glsl/model.ts';
 import type { AssetLoader } from '../../scene/assets.ts';
 import { findModel } from '../../scene/models.ts';
 import type { Document, SceneObject } from '../../scene/schema.ts';
@@ -149,7 +149,8 @@ function usedMaterials(
   for (const { name, material: id } of objects) {
     if (indexOf.has(id)) continue;
     const material = document.materials[id];
-    const model = material && findModel(document, material.model);
+    const found = material && findModel(document, material.model);
+    const model = found && material.multipleScattering ? multipleScatteringModel(found) : found;
     if (material === undefined || model === undefined)
       throw new PathTracerError(`object "${name}": its material or that one's model is not there`);
     let modelIndex = models.indexOf(model);

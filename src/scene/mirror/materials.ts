@@ -1,6 +1,7 @@
 /** The materials of the document as BrdfMaterials: a changed parameter is one uniform. */
 import { materialOpacity, texture } from 'three/tsl';
 import * as THREE from 'three/webgpu';
+import { type Model, multipleScatteringModel } from '../../glsl/model.ts';
 import { BrdfMaterial } from '../../material/brdf-material.ts';
 import { materialMaps } from '../material-schema.ts';
 import { findModel } from '../models.ts';
@@ -96,8 +97,8 @@ export class MaterialsMirror {
   }
 
   #showTerm({ view }: Document): void {
-    for (const [id, { material }] of this.#entries) {
-      const term = view.term?.material === id ? view.term.name : (material.model.terms[0] ?? 'BRDF');
+    for (const [id, { material, source }] of this.#entries) {
+      const term = view.term?.material === id ? view.term.name : wholeModel(material.model, source);
       if (material.term !== term) material.term = term;
     }
   }
@@ -145,6 +146,11 @@ export class MaterialsMirror {
     });
     old?.use.release();
   }
+}
+
+/** The term that is the material when nobody asks for another. */
+function wholeModel(model: Model, { multipleScattering }: Material): string {
+  return (multipleScattering ? multipleScatteringModel(model) : model).main;
 }
 
 const materialTextures = {

@@ -38,6 +38,7 @@ export function materialPanel(session: Session, id: string): InspectorPanel {
   const cellOf = (name: string, label: string) =>
     pathCell(store, ['materials', id, name], `Change ${label.toLowerCase()}`);
   const bound: Bound[] = [];
+  const scatters = model !== undefined && model.file.declarations.multipleScattering !== null;
 
   const choice = modelChoice(session, id);
   bound.push(choice);
@@ -50,7 +51,7 @@ export function materialPanel(session: Session, id: string): InspectorPanel {
   const surface = shapeFields(materialShape, {
     cell: cellOf,
     defaults: materialDefaults,
-    skip: ['name', 'model'],
+    skip: ['name', 'model', ...(scatters ? [] : ['multipleScattering'])],
   });
   bound.push(...maps, ...surface);
 
