@@ -3,6 +3,7 @@ import { mkdtempSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { beforeAll, expect, test } from 'vitest';
+import { pageHeaders } from '../../src/page-policy.ts';
 import { createDocument, serializeDocument } from '../../src/scene/document.ts';
 import { built, irradia, irradiaPath } from '../support/cli.ts';
 
@@ -39,7 +40,7 @@ test('serve is the default command; it serves the lab with a strict policy', asy
     expect(address).toMatch(/^http:\/\/localhost:\d+\/$/);
     const page = await fetch(address);
     expect(page.status).toBe(200);
-    expect(page.headers.get('content-security-policy')).toContain("default-src 'none'");
+    for (const [name, value] of Object.entries(pageHeaders)) expect(page.headers.get(name)).toBe(value);
     const html = await page.text();
     const [, script = ''] = /<script[^>]*src="([^"]+)"/.exec(html) ?? [];
     const response = await fetch(new URL(script, address));

@@ -1,12 +1,13 @@
 /** The built lab in a real browser, for tests that use it as a person does. */
 import { fileURLToPath } from 'node:url';
-import type { BrowserContext, Page } from 'playwright-core';
+import type { Browser, Page } from 'playwright-core';
 import { build } from 'vite';
 import { afterAll, expect } from 'vitest';
 import { startStaticServer } from '../../src/cli/static-server.ts';
 import { pageHeaders } from '../../src/page-policy.ts';
 import type { Document } from '../../src/scene/schema.ts';
-import { testBrowser, watchErrors } from '../support/page.ts';
+import { launchBrowser } from '../support/browser.ts';
+import { watchErrors } from '../support/page.ts';
 
 export interface LabOptions {
   /** What follows the address: `?scene=thesis`. */
@@ -30,17 +31,12 @@ export interface Lab {
 /** Small, because the GPU is made of software. */
 const SIZE = { width: 900, height: 520 };
 
-let building: ReturnType<typeof buildLab> | undefined;
-
 export async function openLab(): Promise<Lab> {
-  // Once for all files that share this process.
-  building ??= buildLab();
-  const built = await building;
-  const browser = await testBrowser();
-  const contexts: BrowserContext[] = [];
+  const built = await buildLab();
+  const browser: Browser = await launchBrowser();
   const servers: { close(): Promise<void> }[] = [];
   afterAll(async () => {
-    for (const context of contexts) await context.close();
+    await browser.close();
     for (const server of servers) await server.close();
   });
   return {
@@ -58,11 +54,9 @@ export async function openLab(): Promise<Lab> {
         endServer = () => server.close();
       }
       const viewport = { width, height };
-      const context =
-        beside?.page.context() ??
-        (await browser.newContext({ viewport, acceptDownloads: true, serviceWorkers }));
-      if (!beside) contexts.push(context);
-      const page = await context.newPage();
+      const page = beside
+        ? await beside.page.context().newPage()
+        : await (await browser.newContext({ viewport, acceptDownloads: true, serviceWorkers })).newPage();
       const errors = watchErrors(page);
       // Nobody is there to answer the browser's own dialog; without it, saving is a download.
       await page.addInitScript('delete window.showSaveFilePicker');

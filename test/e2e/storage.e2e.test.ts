@@ -66,6 +66,19 @@ it('a document with assets is there again after a crash, and an edit writes only
   await second.page.click('.toast >> text=Undo');
   await second.until('irradia.store.document.name === "With noise"');
   expect(await second.document()).toEqual(document);
+
+  // A page that is left in the middle of an edit, and one whose GPU goes.
+  await edit(second, 'draft.view.exposure = 2;');
+  await second.page.reload();
+  await second.ready();
+  expect((await second.document()).view.exposure).toBe(2);
+  await edit(second, 'draft.view.exposure = 3;');
+  await Promise.all([
+    second.page.waitForEvent('load'),
+    second.page.evaluate('irradia.renderer.three.onDeviceLost({ message: "gone" })'),
+  ]);
+  await second.ready();
+  expect((await second.document()).view.exposure).toBe(3);
   expect(second.errors).toEqual([]);
   await second.page.context().close();
 });
@@ -107,9 +120,7 @@ it('versions, copies and names of documents are in a dialog', async () => {
   await page.until('document.querySelector(".document-title").value === "Small"');
   await page.page.click('.document-actions >> text=Delete');
   await page.until('document.querySelectorAll(".document-card").length === 1');
-  await page.page.keyboard.press('Escape');
   await page.page.click('.toast >> text=Undo');
-  await page.page.click('.document-button');
   await page.until('document.querySelectorAll(".document-card").length === 2');
   expect(page.errors).toEqual([]);
   await page.page.context().close();
@@ -143,13 +154,22 @@ it('a link opens in another browser as the same document, and takes nobody’s w
   for (const { page: each } of [page, other, fresh]) await each.context().close();
 });
 
-it('a document that is too large for a link says by how much', async () => {
+it('what does not fit says so: into the browser, into a link', async () => {
   const page = await (await lab.open({ query: small, files })).ready();
+  const browser = await page.page.context().newCDPSession(page.page);
+  const origin = new URL(page.url).origin;
+  await browser.send('Storage.overrideQuotaForOrigin', { origin, quotaSize: 30_000 });
   const noise = randomBytes(60_000).toString('base64');
   await edit(
     page,
     `draft.assets.noise = { name: 'noise.bin', mediaType: 'application/octet-stream', data: '${noise}' };`,
   );
+  await page.waitForToast('storage is full');
+  await page.page.click('.toast .icon-button');
+  await browser.send('Storage.overrideQuotaForOrigin', { origin });
+  await edit(page, 'draft.view.exposure = 1;');
+  await kept(page);
+
   await page.menu('File', 'Share as a link…');
   const text = await page.page.locator('.share').innerText();
   expect(text).toMatch(/would have \d\d,\d{3} characters.*so it is \d\d,\d{3} too long/);

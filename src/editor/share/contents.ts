@@ -7,6 +7,9 @@ export interface Part {
   readonly size: number;
 }
 
+/** What takes less of a document than this would not help much. */
+const LEAST_SHARE = 0.05;
+
 /** The largest first. */
 export function largestParts(document: Document, most: number): Part[] {
   const parts: Part[] = [];
@@ -18,5 +21,9 @@ export function largestParts(document: Document, most: number): Part[] {
     const count = Object.keys(document[name]).length;
     parts.push({ name: `${count} ${name}`, size: JSON.stringify(document[name]).length });
   }
-  return parts.toSorted((a, b) => b.size - a.size).slice(0, most);
+  const least = LEAST_SHARE * parts.reduce((sum, { size }) => sum + size, 0);
+  return parts
+    .filter(({ size }) => size >= least)
+    .toSorted((a, b) => b.size - a.size)
+    .slice(0, most);
 }

@@ -6,7 +6,7 @@ import type { KeptDocument, KeptDocuments } from './kept-documents.ts';
 const WIDTH = 400;
 const HEIGHT = 250;
 /** After the last edit. */
-const REST_MS = 5000;
+const REST_MS = 20_000;
 
 export class Thumbnails {
   readonly #picture: () => Promise<Blob> | null;

@@ -2,8 +2,7 @@
 import { h } from './dom.ts';
 import { icon } from './icons.ts';
 
-/** A note is information that may take a while to read. */
-export type ToastKind = 'info' | 'note' | 'success' | 'error';
+export type ToastKind = 'info' | 'success' | 'error';
 
 /** What a message offers to do about it. */
 export interface ToastAction {
@@ -17,7 +16,7 @@ export interface Progress {
   done(): void;
 }
 
-const LIFE_MS: Record<ToastKind, number> = { info: 4000, note: 0, success: 3000, error: 0 };
+const LIFE_MS: Record<ToastKind, number> = { info: 4000, success: 3000, error: 0 };
 /** Whoever is offered something needs the time to read it and to decide. */
 export const OFFER_LIFE_MS = 15_000;
 const MOST = 4;
@@ -36,7 +35,7 @@ function host(): HTMLElement {
   return stack;
 }
 
-/** An error stays until it is closed, and a note, too: it may have to be read, or copied. */
+/** An error stays until it is closed: it may have to be read, or copied. */
 export function toast(kind: ToastKind, title: string, detail?: string, action?: ToastAction): void {
   const same = [...host().children].find(
     (other) => other instanceof HTMLElement && other.dataset.text === title + (detail ?? ''),
@@ -49,7 +48,7 @@ export function toast(kind: ToastKind, title: string, detail?: string, action?: 
   );
   const element = h(
     'div',
-    { class: `toast ${kind === 'note' ? 'info' : kind}`, ...(kind === 'error' && { role: 'alert' }) },
+    { class: `toast ${kind}`, ...(kind === 'error' && { role: 'alert' }) },
     icon(kind === 'error' ? 'warning' : kind === 'success' ? 'check' : 'info'),
     h('div', { class: 'toast-text' }, h('strong', {}, title), detail ? h('p', {}, detail) : null),
     action ? actionButton(action, () => element.remove()) : null,
@@ -81,22 +80,14 @@ export function messageOf(error: unknown): string {
   return error instanceof Error ? error.message : String(error);
 }
 
-/** @param onCancel offers to give it up */
-export function startProgress(text: string, onCancel?: () => void): Progress {
+export function startProgress(text: string): Progress {
   const label = h('strong', {}, text);
   const bar = h('div', { class: 'bar' }, h('div', { class: 'bar-fill' }));
-  const cancel = onCancel && h('button', { type: 'button', class: 'text-button' }, 'Cancel');
-  if (cancel) cancel.addEventListener('click', () => onCancel());
-  const element = h(
-    'div',
-    { class: 'toast progress' },
-    h('div', { class: 'toast-text' }, label, bar),
-    cancel,
-  );
+  const element = h('div', { class: 'toast progress' }, h('div', { class: 'toast-text' }, label, bar));
   host().append(element);
   return {
     update(next, fraction) {
-      label.textContent = fraction === null ? next : `${next} ${Math.floor(fraction * 100)} %`;
+      label.textContent = next;
       bar.classList.toggle('unknown', fraction === null);
       bar.style.setProperty('--fraction', `${(fraction ?? 0) * 100}%`);
     },

@@ -120,7 +120,10 @@ export async function openDocuments(session: Session): Promise<void> {
   dialog.addEventListener('click', (event) => {
     if (event.target === dialog) dialog.close();
   });
+  // Also what is brought back by an undo of its deletion.
+  const unsubscribe = workspace.subscribe(() => void refresh());
   dialog.addEventListener('close', () => {
+    unsubscribe();
     for (const url of urls) URL.revokeObjectURL(url);
     dialog.remove();
   });
