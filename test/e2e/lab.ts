@@ -1,13 +1,12 @@
 /** The built lab in a real browser, for tests that use it as a person does. */
 import { fileURLToPath } from 'node:url';
-import type { Browser, Page } from 'playwright-core';
+import type { BrowserContext, Page } from 'playwright-core';
 import { build } from 'vite';
 import { afterAll, expect } from 'vitest';
 import { startStaticServer } from '../../src/cli/static-server.ts';
 import { pageHeaders } from '../../src/page-policy.ts';
 import type { Document } from '../../src/scene/schema.ts';
-import { launchBrowser } from '../support/browser.ts';
-import { watchErrors } from '../support/page.ts';
+import { testBrowser, watchErrors } from '../support/page.ts';
 
 export interface LabOptions {
   /** What follows the address: `?scene=thesis`. */
@@ -31,12 +30,17 @@ export interface Lab {
 /** Small, because the GPU is made of software. */
 const SIZE = { width: 900, height: 520 };
 
+let building: ReturnType<typeof buildLab> | undefined;
+
 export async function openLab(): Promise<Lab> {
-  const built = await buildLab();
-  const browser: Browser = await launchBrowser();
+  // Once for all files that share this process.
+  building ??= buildLab();
+  const built = await building;
+  const browser = await testBrowser();
+  const contexts: BrowserContext[] = [];
   const servers: { close(): Promise<void> }[] = [];
   afterAll(async () => {
-    await browser.close();
+    for (const context of contexts) await context.close();
     for (const server of servers) await server.close();
   });
   return {
@@ -54,9 +58,11 @@ export async function openLab(): Promise<Lab> {
         endServer = () => server.close();
       }
       const viewport = { width, height };
-      const page = beside
-        ? await beside.page.context().newPage()
-        : await (await browser.newContext({ viewport, acceptDownloads: true, serviceWorkers })).newPage();
+      const context =
+        beside?.page.context() ??
+        (await browser.newContext({ viewport, acceptDownloads: true, serviceWorkers }));
+      if (!beside) contexts.push(context);
+      const page = await context.newPage();
       const errors = watchErrors(page);
       // Nobody is there to answer the browser's own dialog; without it, saving is a download.
       await page.addInitScript('delete window.showSaveFilePicker');

@@ -2,7 +2,8 @@
 import { h } from './dom.ts';
 import { icon } from './icons.ts';
 
-export type ToastKind = 'info' | 'success' | 'error';
+/** A note is information that may take a while to read. */
+export type ToastKind = 'info' | 'note' | 'success' | 'error';
 
 /** What a message offers to do about it. */
 export interface ToastAction {
@@ -16,7 +17,7 @@ export interface Progress {
   done(): void;
 }
 
-const LIFE_MS: Record<ToastKind, number> = { info: 4000, success: 3000, error: 0 };
+const LIFE_MS: Record<ToastKind, number> = { info: 4000, note: 0, success: 3000, error: 0 };
 /** Whoever is offered something needs the time to read it and to decide. */
 export const OFFER_LIFE_MS = 15_000;
 const MOST = 4;
@@ -35,7 +36,7 @@ function host(): HTMLElement {
   return stack;
 }
 
-/** An error stays until it is closed: it may have to be read, or copied. */
+/** An error stays until it is closed, and a note, too: it may have to be read, or copied. */
 export function toast(kind: ToastKind, title: string, detail?: string, action?: ToastAction): void {
   const same = [...host().children].find(
     (other) => other instanceof HTMLElement && other.dataset.text === title + (detail ?? ''),
@@ -48,7 +49,7 @@ export function toast(kind: ToastKind, title: string, detail?: string, action?: 
   );
   const element = h(
     'div',
-    { class: `toast ${kind}`, ...(kind === 'error' && { role: 'alert' }) },
+    { class: `toast ${kind === 'note' ? 'info' : kind}`, ...(kind === 'error' && { role: 'alert' }) },
     icon(kind === 'error' ? 'warning' : kind === 'success' ? 'check' : 'info'),
     h('div', { class: 'toast-text' }, h('strong', {}, title), detail ? h('p', {}, detail) : null),
     action ? actionButton(action, () => element.remove()) : null,
@@ -80,14 +81,22 @@ export function messageOf(error: unknown): string {
   return error instanceof Error ? error.message : String(error);
 }
 
-export function startProgress(text: string): Progress {
+/** @param onCancel offers to give it up */
+export function startProgress(text: string, onCancel?: () => void): Progress {
   const label = h('strong', {}, text);
   const bar = h('div', { class: 'bar' }, h('div', { class: 'bar-fill' }));
-  const element = h('div', { class: 'toast progress' }, h('div', { class: 'toast-text' }, label, bar));
+  const cancel = onCancel && h('button', { type: 'button', class: 'text-button' }, 'Cancel');
+  if (cancel) cancel.addEventListener('click', () => onCancel());
+  const element = h(
+    'div',
+    { class: 'toast progress' },
+    h('div', { class: 'toast-text' }, label, bar),
+    cancel,
+  );
   host().append(element);
   return {
     update(next, fraction) {
-      label.textContent = next;
+      label.textContent = fraction === null ? next : `${next} ${Math.floor(fraction * 100)} %`;
       bar.classList.toggle('unknown', fraction === null);
       bar.style.setProperty('--fraction', `${(fraction ?? 0) * 100}%`);
     },
