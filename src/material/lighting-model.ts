@@ -6,6 +6,7 @@ import type { EnvironmentLightNode } from './environment-light.ts';
 import { fragmentData, wantsFragmentData } from './fragment-data.ts';
 import { frameContext } from './frame-context.ts';
 import { lightFromEverywhere } from './light-from-everywhere.ts';
+import { fragmentPoint, type LightShadows, lightShadows, type ShadedPoint } from './light-shadows.ts';
 import { nonNegative } from './non-negative.ts';
 import { createSampler, latticePoint, type Sampler } from './sampler.ts';
 import { type ShadingFrame, shadingFrame } from './shading-frame.ts';
@@ -44,6 +45,8 @@ export class BrdfLightingModel extends LightingModel {
   private readonly brdf: SplitCall;
   private readonly sampler: Sampler;
   private frame: ShadingFrame | null = null;
+  private shadows: LightShadows | null = null;
+  private point: ShadedPoint | null = null;
   private wantsData = false;
 
   constructor(options: LightingOptions) {
@@ -68,6 +71,8 @@ export class BrdfLightingModel extends LightingModel {
     };
     reflectedLight.directSpecular.assign(vec3(0));
     reflectedLight.indirectSpecular.assign(vec3(0));
+    this.shadows = lightShadows(builder);
+    this.point = this.shadows && keptPoint(fragmentPoint());
     super.start(builder);
   }
 
@@ -81,12 +86,12 @@ export class BrdfLightingModel extends LightingModel {
     return nonNegative(this.brdf.perLight(L, V, N, X, Y));
   }
 
-  /** Directional, point and spot lights; a shadow is in lightColor already. */
+  /** Directional, point and spot lights; a shadow of three.js' own is in lightColor already. */
   override direct(data: Parameters<LightingModel['direct']>[0], builder: NodeBuilder): void {
     const { lightDirection, lightColor, lightNode, reflectedLight } = data as unknown as {
-      lightNode: { light: Light };
       lightDirection: Vec3;
       lightColor: Vec3;
+      lightNode: { light: Light };
       reflectedLight: { directSpecular: Assignable };
     };
     const { N } = this.frame as ShadingFrame;
@@ -95,8 +100,10 @@ export class BrdfLightingModel extends LightingModel {
     const cosine = dot(N, L).toVar();
     // Most fragments face away from most lights, or are outside a spot's cone.
     If(cosine.mul(E.x.add(E.y).add(E.z)).greaterThan(0), () => {
+      const shadow = this.shadows?.lamp(lightNode.light, builder);
+      const shadowed = shadow ? E.mul(shadow(this.point as ShadedPoint)) : E;
       const contact = lightNode.light.castShadow ? frameContext(builder).contactShadow?.(L) : undefined;
-      const light = contact ? E.mul(contact) : E;
+      const light = contact ? shadowed.mul(contact) : shadowed;
       reflectedLight.directSpecular.addAssign(this.f(L).mul(light).mul(cosine));
       this.count();
     });
@@ -108,14 +115,16 @@ export class BrdfLightingModel extends LightingModel {
    * directions smooth ones. The balance heuristic errs six times as much where the surface is matte: it lets
    * the few directions that happen to hit the rectangle count for a tenth of the light.
    */
-  override directRectArea(data: Parameters<LightingModel['directRectArea']>[0]): void {
-    const { lightColor, lightPosition, halfWidth, halfHeight, reflectedLight } = data as unknown as {
-      lightColor: Vec3;
-      lightPosition: Vec3;
-      halfWidth: Vec3;
-      halfHeight: Vec3;
-      reflectedLight: { directSpecular: Assignable };
-    };
+  override directRectArea(data: Parameters<LightingModel['directRectArea']>[0], builder: NodeBuilder): void {
+    const { lightColor, lightPosition, halfWidth, halfHeight, lightNode, reflectedLight } =
+      data as unknown as {
+        lightNode: { light: Light };
+        lightColor: Vec3;
+        lightPosition: Vec3;
+        halfWidth: Vec3;
+        halfHeight: Vec3;
+        reflectedLight: { directSpecular: Assignable };
+      };
     const { V, N, X, Y } = this.frame as ShadingFrame;
     const { sampleL, pdf } = this.sampler;
     this.sampler.start(V, N, X, Y);
@@ -127,10 +136,21 @@ export class BrdfLightingModel extends LightingModel {
     // It shines along its -z axis.
     const facing = side.div(quarterArea).negate().toVar() as Vec3;
     const sum = vec3(0).toVar();
+    const shadow = this.shadows?.panel(lightNode.light, builder) ?? null;
+    const point = this.point as ShadedPoint;
+    const blocker = shadow && keptFloat(shadow.blocker(point));
+    /** 1 where the fragment sees a place of the rectangle. @param spread how far apart the places are */
+    const seen = (place: Node<'vec2'>, i: Float, spread: number): Float | null => {
+      if (shadow === null || blocker === null) return null;
+      const turn = i.mul(0.7548776662466927).add(point.noise).fract().toVar() as Float;
+      const shift = vec2(turn, turn.mul(13).fract()).sub(0.5).mul(spread);
+      return shadow.seen(point, blocker, place.add(shift).clamp(-1, 1) as unknown as Node<'vec2'>, turn);
+    };
     /** Adds f (n.l) p/(p^2 + q^2): p and q are how densely its own kind and the other sample l, in 1/sr. */
-    const add = (L: Vec3, cosine: Float, p: Float, q: Float) => {
+    const add = (L: Vec3, cosine: Float, p: Float, q: Float, visible: Float | null) => {
       const ratio = q.div(p).toVar();
-      sum.addAssign(this.f(L).mul(cosine.div(p.mul(ratio.mul(ratio).add(1)))));
+      const share = cosine.div(p.mul(ratio.mul(ratio).add(1))) as Float;
+      sum.addAssign(this.f(L).mul(visible === null ? share : share.mul(visible)));
     };
     repeat(points, (i) => {
       const u = latticePoint(i, points);
@@ -144,7 +164,9 @@ export class BrdfLightingModel extends LightingModel {
       const cosine = dot(N, L).toVar();
       If(cosine.greaterThan(0).and(cosineAtLight.greaterThan(1e-6)), () => {
         const lightDensity = distance2.div(cosineAtLight.mul(quarterArea).mul(4));
-        add(L, cosine, lightDensity.mul(points) as Float, pdf(L, V, N, X, Y).mul(directions) as Float);
+        const other = pdf(L, V, N, X, Y).mul(directions) as Float;
+        const place = vec2(u.x, u.y).mul(2).sub(1) as unknown as Node<'vec2'>;
+        add(L, cosine, lightDensity.mul(points) as Float, other, seen(place, i, 2 / Math.sqrt(points)));
       });
     });
     repeat(directions, (i) => {
@@ -162,7 +184,13 @@ export class BrdfLightingModel extends LightingModel {
         If(t.greaterThan(0).and(inside), () => {
           const lightDensity = t.mul(t).div(cosineAtLight.mul(quarterArea).mul(4));
           const density = pdf(L, V, N, X, Y).mul(directions).toVar() as Float;
-          If(density.greaterThan(0), () => add(L, cosine, density, lightDensity.mul(points) as Float));
+          If(density.greaterThan(0), () => {
+            const place = vec2(
+              dot(hit, halfWidth).div(dot(halfWidth, halfWidth)),
+              dot(hit, halfHeight).div(dot(halfHeight, halfHeight)),
+            ) as unknown as Node<'vec2'>;
+            add(L, cosine, density, lightDensity.mul(points) as Float, seen(place, i, 0));
+          });
         });
       });
     });
@@ -191,6 +219,20 @@ export class BrdfLightingModel extends LightingModel {
     );
     reflectedLight.indirectSpecular.addAssign(reflected.mul(ambientOcclusion));
   }
+}
+
+/** Kept where it is computed: its derivatives do not hold inside branches. */
+function keptPoint({ position, normal, noise }: ShadedPoint): ShadedPoint {
+  const [P, N] = [vec3(0).toVar('shadedPosition'), vec3(0).toVar('shadedPlane')];
+  P.assign(position);
+  N.assign(normal);
+  return { position: P as unknown as Vec3, normal: N as unknown as Vec3, noise: keptFloat(noise) };
+}
+
+function keptFloat(value: Float): Float {
+  const kept = float(0).toVar();
+  kept.assign(value);
+  return kept as unknown as Float;
 }
 
 /** Whether anything but lamps lights the scene. */

@@ -5,7 +5,8 @@ import { bloom } from './bloom.ts';
 import { depthOfField } from './depth-of-field/index.ts';
 import { contactShadows } from './contact-shadows.ts';
 import { fxaa } from './fxaa.ts';
+import { shadows } from './shadows/index.ts';
 import { smaa } from './smaa.ts';
 import { temporal } from './temporal.ts';
 
-export const effects: readonly EffectDefinition[] = [ambientOcclusion, contactShadows, temporal, depthOfField, bloom, smaa, fxaa];
+export const effects: readonly EffectDefinition[] = [shadows, ambientOcclusion, contactShadows, temporal, depthOfField, bloom, smaa, fxaa];

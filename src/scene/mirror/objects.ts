@@ -63,6 +63,7 @@ export class ObjectsMirror {
 
   #add(id: string, object: SceneObject, document: Document): void {
     const mesh = new THREE.Mesh(new THREE.BufferGeometry());
+    mesh.castShadow = true;
     // Shown when its geometry has come; see #setGeometry.
     mesh.visible = false;
     const entry: Entry = { mesh, object, geometry: null };
