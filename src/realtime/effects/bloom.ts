@@ -7,11 +7,18 @@
  */
 import { mix, texture, uniform, uv, vec2, vec4 } from 'three/tsl';
 import { type Node, type RenderTarget, Vector2, type WebGPURenderer } from 'three/webgpu';
+import type { Effects } from '../../scene/effects-schema.ts';
 import type { Effect, EffectDefinition, EffectSettings } from '../frame/effect.ts';
 import { inputTexture, Pass } from '../frame/pass.ts';
+import { lensDirt } from './lens-dirt.ts';
 
 /** Halvings; 7 of them reach across a picture of some hundred pixels and a tenth of a large one. */
 const LEVELS = 7;
+
+/** How many times as much light is spread behind the thickest dirt, less one. */
+const DIRTIEST = 12;
+/** The largest half float. */
+const MOST = 65504;
 
 /** Offsets in texels of the source, and weights; each of its five boxes of four has a mean of 1. */
 const DOWN: readonly (readonly [x: number, y: number, weight: number])[] = [
@@ -44,27 +51,36 @@ const UP = [-1, 0, 1].flatMap((y) =>
 class Bloom implements Effect {
   readonly #strength = uniform(0);
   readonly #radius = uniform(0);
+  readonly #dirt = uniform(0);
+  readonly #aspect = uniform(1);
   readonly #source = inputTexture();
   readonly #down: Level[];
   readonly #up: Level[];
   readonly #result: Pass;
 
-  constructor() {
+  /** @param hasDirt whether there may be any on the lens */
+  constructor(hasDirt: boolean) {
     this.#down = Array.from({ length: LEVELS }, (_, i) => new Level(`bloom down ${i}`, DOWN));
     // From the second smallest to the largest: what is below, spread, mixed with what is here.
     this.#up = Array.from({ length: LEVELS - 1 }, (_, i) => new Level(`bloom up ${i}`, UP, this.#radius));
     const glow = texture((this.#up.at(-1) as Level).pass.target.texture);
     const own = this.#source.rgb;
-    this.#result = new Pass('bloom', vec4(mix(own, glow.rgb, this.#strength), this.#source.a));
+    // Where there is dirt on the lens, more of the light is spread.
+    const strength = hasDirt
+      ? this.#strength.mul(lensDirt(this.#aspect).mul(this.#dirt).mul(DIRTIEST).add(1)).min(1)
+      : this.#strength;
+    this.#result = new Pass('bloom', vec4(mix(own, glow.rgb, strength), this.#source.a));
   }
 
-  update({ effects: { bloom } }: EffectSettings): void {
+  update({ effects: { bloom, lens } }: EffectSettings): void {
+    this.#dirt.value = lens.dirt;
     this.#strength.value = bloom.strength;
     this.#radius.value = bloom.radius;
   }
 
   afterScene(renderer: WebGPURenderer, input: RenderTarget): RenderTarget {
     const { width, height } = input;
+    this.#aspect.value = width / height;
     let source = input;
     const sizes = this.#down.map((_, i) => [width / 2 ** (i + 1), height / 2 ** (i + 1)] as const);
     for (const [i, level] of this.#down.entries()) source = level.render(renderer, source, ...sizes[i]!);
@@ -92,7 +108,9 @@ class Level {
   constructor(name: string, taps: readonly (readonly [number, number, number])[], share?: Node<'float'>) {
     let sum: Node<'vec3'> | null = null;
     for (const [x, y, weight] of taps) {
-      const tap = this.#source.sample(uv().add(vec2(x, y).mul(this.#texel))).rgb.mul(weight);
+      // An infinite pixel would be spread over all of them.
+      const look = this.#source.sample(uv().add(vec2(x, y).mul(this.#texel))).rgb.clamp(0, MOST);
+      const tap = look.mul(weight);
       sum = (sum === null ? tap : sum.add(tap)) as Node<'vec3'>;
     }
     const filtered = sum as Node<'vec3'>;
@@ -113,9 +131,12 @@ class Level {
   }
 }
 
+const hasDirt = ({ enabled, dirt }: Effects['lens']): boolean => enabled && dirt > 0;
+
 export const bloom: EffectDefinition = {
   name: 'bloom',
   isOn: ({ effects }) => effects.bloom.enabled && effects.bloom.strength > 0,
   needsSurfaces: false,
-  build: () => new Bloom(),
+  variant: ({ effects: { lens } }) => (hasDirt(lens) ? 'dirt' : ''),
+  build: (_inputs, { effects: { lens } }) => new Bloom(hasDirt(lens)),
 };

@@ -2,11 +2,24 @@
 import type { EffectDefinition } from '../frame/effect.ts';
 import { ambientOcclusion } from './ambient-occlusion.ts';
 import { bloom } from './bloom.ts';
-import { depthOfField } from './depth-of-field/index.ts';
 import { contactShadows } from './contact-shadows.ts';
+import { depthOfField } from './depth-of-field/index.ts';
 import { fxaa } from './fxaa.ts';
+import { lens } from './lens.ts';
+import { motionBlur } from './motion-blur.ts';
 import { shadows } from './shadows/index.ts';
 import { smaa } from './smaa.ts';
 import { temporal } from './temporal.ts';
 
-export const effects: readonly EffectDefinition[] = [shadows, ambientOcclusion, contactShadows, temporal, depthOfField, bloom, smaa, fxaa];
+export const effects: readonly EffectDefinition[] = [
+  shadows,
+  ambientOcclusion,
+  contactShadows,
+  temporal,
+  depthOfField,
+  motionBlur,
+  bloom,
+  lens,
+  smaa,
+  fxaa,
+];

@@ -10,6 +10,7 @@ import { Fn, float, If, mix, uniform, uv, vec2, vec3, vec4 } from 'three/tsl';
 import type { Node, RenderTarget, TextureNode, WebGPURenderer } from 'three/webgpu';
 import type { Effect, EffectDefinition } from '../frame/effect.ts';
 import type { FrameInputs } from '../frame/inputs.ts';
+import { motionAt } from '../frame/motion.ts';
 import { inputTexture, Pass } from '../frame/pass.ts';
 
 type Vec2 = Node<'vec2'>;
@@ -115,7 +116,7 @@ class Temporal implements Effect {
 
   /** From where what is seen here has come since the last frame, in texture coordinates. */
   #motion(texel: Vec2): Vec2 {
-    const { depth, velocity, projectionInverse, viewInverse, previousViewProjection } = this.#inputs;
+    const { depth } = this.#inputs;
     // The nearest surface around: the edge of what moves moves with it.
     const nearest = depth.sample(uv()).r.toVar() as Float;
     const place = uv().toVar() as Vec2;
@@ -127,16 +128,7 @@ class Temporal implements Effect {
         place.assign(there);
       });
     }
-    const motion = velocity.sample(place).rg.toVar() as Vec2;
-    // What is infinitely far away moves as the camera turns.
-    If(nearest.greaterThanEqual(1), () => {
-      const ndc = uv().mul(vec2(2, -2)).add(vec2(-1, 1)).toVar() as Vec2;
-      const ray = projectionInverse.mul(vec4(ndc, 1, 1)) as unknown as Node<'vec4'>;
-      const direction = viewInverse.mul(vec4(ray.xyz.normalize(), 0)) as unknown as Node<'vec4'>;
-      const before = previousViewProjection.mul(vec4(direction.xyz, 0)) as unknown as Node<'vec4'>;
-      motion.assign(ndc.sub(before.xy.div(before.w.max(1e-6))) as Vec2);
-    });
-    return motion.mul(vec2(0.5, -0.5)) as Vec2;
+    return motionAt(this.#inputs, place, nearest);
   }
 
   /** A colour of the past, moved towards the mean of those around until it is one of them. */

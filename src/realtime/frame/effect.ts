@@ -43,8 +43,8 @@ export interface Effect {
   beforeScene?(renderer: WebGPURenderer, scene: Scene, camera: PerspectiveCamera): void;
   /** What all materials are told: see FrameContext in src/material/frame-context.ts. */
   readonly context?: Readonly<Record<string, unknown>>;
-  /** From linear radiance to linear radiance, in a target of its own. */
-  afterScene?(renderer: WebGPURenderer, input: RenderTarget): RenderTarget;
+  /** From linear radiance to linear radiance, in a target of its own; undefined where it changes nothing this time. */
+  afterScene?(renderer: WebGPURenderer, input: RenderTarget): RenderTarget | undefined;
   /** From the picture as a screen shows it to another, in 8-bit sRGB. */
   afterOutput?(renderer: WebGPURenderer, input: RenderTarget): RenderTarget;
   /** Further frames of a scene that stands still would be better. */
