@@ -3,6 +3,7 @@ import { readFile } from 'node:fs/promises';
 import { beforeAll, describe, expect, it } from 'vitest';
 import { shippedModels } from '../../models/index.ts';
 import { lightSliceAt } from '../../src/analysis/plots/light-slice.ts';
+import { viewerSliceAt } from '../../src/analysis/plots/viewer-slice.ts';
 import { createEvaluator } from '../../src/glsl/evaluator.ts';
 import type { Model } from '../../src/glsl/model.ts';
 import { type LabPage, openLab } from './lab.ts';
@@ -133,6 +134,24 @@ describe('the bench', () => {
       const { rgb } = lightSliceAt((l, v) => evaluator.f(l, v), angle, options);
       for (const c of [0, 1, 2] as const) expect(values[c]).toBeCloseTo(rgb[c], 9);
     }
+  });
+
+  it('moves the viewer instead, and the light by a drag', async () => {
+    const before = await plot();
+    await page.page.selectOption('[aria-label="What moves"]', 'viewer');
+    expect(await plot()).not.toBe(before);
+    await page.page.focus('.bench-plot');
+    await page.page.keyboard.press('ArrowRight');
+    await plot();
+    expect(Number(await page.page.inputValue('[data-bench=thetaL] .number input'))).toBe(21);
+    const { head, rows } = await table();
+    expect(head[0]).toBe('theta_v_deg');
+    const { parameters } = (await page.document()).materials.gloss ?? {};
+    const evaluator = createEvaluator(shippedModels.get('cook-torrance') as Model, parameters);
+    const options = { thetaL: 21, phiL: 180, cosine: false };
+    for (const [angle = 0, red] of rows)
+      expect(red).toBeCloseTo(viewerSliceAt((l, v) => evaluator.f(l, v), angle, options).rgb[0], 9);
+    await page.page.selectOption('[aria-label="What moves"]', 'light');
   });
 
   it('exports a drawing and a picture', async () => {

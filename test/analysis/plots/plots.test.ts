@@ -9,6 +9,7 @@ import { halfSlice } from '../../../src/analysis/plots/half-slice.ts';
 import { imageAngles, imageSliceAt } from '../../../src/analysis/plots/image-slice.ts';
 import { lightSlice } from '../../../src/analysis/plots/light-slice.ts';
 import { pictures } from '../../../src/analysis/plots/picture.ts';
+import { viewerSlice } from '../../../src/analysis/plots/viewer-slice.ts';
 import { createRandom } from '../../../src/analysis/random.ts';
 import { createEvaluator } from '../../../src/glsl/evaluator.ts';
 import type { Model } from '../../../src/glsl/model.ts';
@@ -52,6 +53,18 @@ describe('the slices', () => {
     }
     for (const { angle, rgb } of lightSlice(lambert, { ...view, cosine: true }).slice(1, -1)) {
       expect(rgb[1]).toBeCloseTo((0.5 / Math.PI) * Math.cos((angle * Math.PI) / 180), 12);
+    }
+  });
+
+  it('over theta_v hold the light still: its place in f, and its cosine', () => {
+    // 2 cos(theta_l) + cos(theta_v): not reciprocal, so that an exchange shows.
+    const oneWay: Reflectance = (l, v) => [2 * l[2] + v[2], 0, 0];
+    const cos = (angle: number) => Math.cos((angle * Math.PI) / 180);
+    for (const cosine of [false, true]) {
+      const curve = viewerSlice(oneWay, { thetaL: 35, phiL: 50, cosine });
+      expect(curve.map(({ angle }) => angle)).toContain(35);
+      for (const { angle, rgb } of curve.slice(1, -1))
+        expect(rgb[0]).toBeCloseTo((2 * cos(35) + cos(angle)) * (cosine ? cos(35) : 1), 12);
     }
   });
 

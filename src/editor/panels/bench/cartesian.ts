@@ -7,6 +7,8 @@ import {
   curveTable,
   dashOf,
   degrees,
+  handleColor,
+  incidenceOf,
   lightFromPlane,
   lightInPlane,
   type Plot,
@@ -67,7 +69,7 @@ function axisOf({ settings, parameter }: Plot): Axis {
       return { label: name, from: min, to: max, steps, text: shortNumber };
     }
     default:
-      return { ...quarter, from: -90, label: 'θl' };
+      return { ...quarter, from: -90, label: `θ${incidenceOf(settings).moving}` };
   }
 }
 
@@ -110,20 +112,25 @@ export const cartesianView: View = {
     const axis = axisOf(plot);
     const angle = valueAt(area, axis, at);
     if (angle === null || plot.settings.view !== 'thetaL') return null;
-    const light = lightInPlane(plot.settings);
+    const { settings, still, moving } = incidenceOf(plot.settings);
+    const light = lightInPlane(settings);
     return light !== null &&
       (Math.abs(angle - light) / 180) * area.width < REACH &&
       at[1] > area.y + area.height - 24
-      ? 'l'
-      : 'v';
+      ? moving
+      : still;
   },
   drag(plot, width, height, at, handle) {
     const angle = valueAt(areaOf(width, height), axisOf(plot), at);
     if (angle === null) return {};
-    if (handle === 'l') return lightFromPlane(angle, plot.settings);
-    return { thetaV: Math.min(STEEPEST, tenths(Math.abs(angle))) };
+    const { settings, moving, change } = incidenceOf(plot.settings);
+    if (handle === moving) return change(lightFromPlane(angle, settings));
+    return change({ thetaV: Math.min(STEEPEST, tenths(Math.abs(angle))) });
   },
-  keys: (settings, right) => (settings.view === 'thetaL' ? turnedViewer(settings, right) : {}),
+  keys(settings, right) {
+    const seen = incidenceOf(settings);
+    return settings.view === 'thetaL' ? seen.change(turnedViewer(seen.settings, right)) : {};
+  },
   table(plot) {
     const { settings, curves, parameter } = plot;
     if (settings.view === 'sweep') {
@@ -140,7 +147,7 @@ export const cartesianView: View = {
       thetaD: 'theta_d',
       albedo: 'theta_v',
       fresnel: 'theta_i',
-      thetaL: 'theta_l',
+      thetaL: `theta_${incidenceOf(settings).moving}`,
     };
     const phi = settings.turns === 'half' ? 'phi_h' : 'phi_l';
     const name = settings.view === 'phi' ? phi : names[settings.view as keyof typeof names];
@@ -149,7 +156,8 @@ export const cartesianView: View = {
 };
 
 function drawCartesian(painter: Painter, plot: Plot): void {
-  const { settings, curves, probe } = plot;
+  const { curves, probe } = plot;
+  const { settings, still, moving } = incidenceOf(plot.settings);
   const area = areaOf(painter.width, painter.height);
   const axis = axisOf(plot);
   const isShare = ['albedo', 'sweep', 'fresnel'].includes(settings.view);
@@ -215,13 +223,13 @@ function drawCartesian(painter: Painter, plot: Plot): void {
   if (settings.view === 'sweep') drawAngleKey(painter, area);
   if (settings.view === 'fresnel') drawFresnelKey(painter, area, plot);
   if (settings.view === 'thetaL') {
-    painter.text('v', [x(-settings.thetaV) + 5, area.y + 7], { color: colors.guide });
+    painter.text(still, [x(-settings.thetaV) + 5, area.y + 7], { color: handleColor(still) });
     if (settings.thetaV > 0)
       painter.text('mirror', [x(settings.thetaV) + 5, area.y + 7], { color: colors.faint });
     const light = lightInPlane(settings);
     if (light !== null) {
-      painter.disc([x(light), bottom], 4, colors.light);
-      painter.text('l', [x(light) + 8, bottom - 8], { color: colors.light });
+      painter.disc([x(light), bottom], 4, handleColor(moving));
+      painter.text(moving, [x(light) + 8, bottom - 8], { color: handleColor(moving) });
     }
   }
 }

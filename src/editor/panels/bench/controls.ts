@@ -4,7 +4,7 @@ import { substances } from '../../../analysis/substances/table.ts';
 import { h } from '../../ui/dom.ts';
 import { type Choice, row, selectField, switchField } from '../../ui/fields.ts';
 import { sliderField } from '../../ui/slider-field.ts';
-import { type BenchSettings, type BenchView, channelChoices } from './settings.ts';
+import { type BenchSettings, type BenchView, channelChoices, moving } from './settings.ts';
 import { type ControlKey, viewInfo } from './views.ts';
 
 interface Control {
@@ -72,6 +72,17 @@ export function createControls({ change, placeLight }: ControlActions): Controls
         if (found) change({ [key]: found });
       },
     });
+  const over = select({
+    name: 'What moves',
+    label: 'Over',
+    tip: 'What moves through the plane of incidence; the other one stands still',
+    choices: moving.map((value) => ({ value, label: capital(value) })),
+    shown: (settings) => settings.over,
+    onChange(value) {
+      const found = moving.find((choice) => choice === value);
+      if (found) change({ over: found });
+    },
+  });
   const turns = select({
     name: 'What turns',
     label: 'Turns',
@@ -85,6 +96,7 @@ export function createControls({ change, placeLight }: ControlActions): Controls
   });
 
   const controls: Readonly<Record<ControlKey, Control>> = {
+    over,
     turns,
     thetaV: angle('thetaV', 'θv', 'Angle between the normal and the viewer; drag v in the plot', 89),
     phiV: angle('phiV', 'φ', 'Azimuth from the tangent: of the viewer, or of the half vector', 360),

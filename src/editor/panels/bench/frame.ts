@@ -141,6 +141,34 @@ export function lightFromPlane(angle: number, { phiV }: PaneSettings): Partial<P
   };
 }
 
+/** A slice through the plane of incidence, with what stands still in the place of v and what moves in that of l. */
+export interface Incidence {
+  readonly settings: PaneSettings;
+  readonly still: 'v' | 'l';
+  readonly moving: 'v' | 'l';
+  /** Changes of these settings as changes of the bench's. */
+  change(patch: Partial<PaneSettings>): Partial<PaneSettings>;
+}
+
+export function incidenceOf(settings: PaneSettings): Incidence {
+  if (settings.over === 'light') return { settings, still: 'v', moving: 'l', change: (patch) => patch };
+  return { settings: exchanged(settings), still: 'l', moving: 'v', change: exchanged };
+}
+
+/** l and v in each other's places. */
+function exchanged<Settings extends Partial<PaneSettings>>(settings: Settings): Settings {
+  const { thetaL, phiL, thetaV, phiV, ...rest } = settings;
+  return {
+    ...rest,
+    ...(thetaV !== undefined && { thetaL: thetaV }),
+    ...(phiV !== undefined && { phiL: phiV }),
+    ...(thetaL !== undefined && { thetaV: thetaL }),
+    ...(phiL !== undefined && { phiV: phiL }),
+  } as Settings;
+}
+
+export const handleColor = (handle: 'v' | 'l'): string => (handle === 'l' ? colors.light : colors.guide);
+
 export const tenths = (value: number): number => Math.round(10 * value) / 10;
 
 /** The table of curves over one axis. */

@@ -5,6 +5,7 @@ import { differenceSlice, differenceSliceAt } from '../../../analysis/plots/diff
 import { halfSlice, halfSliceAt } from '../../../analysis/plots/half-slice.ts';
 import { lightSlice, lightSliceAt } from '../../../analysis/plots/light-slice.ts';
 import type { TriangleMesh } from '../../../analysis/plots/surface.ts';
+import { viewerSlice, viewerSliceAt } from '../../../analysis/plots/viewer-slice.ts';
 import type { Background } from './background.ts';
 import { between } from './between.ts';
 import type { PlottedCurve, SweptParameter } from './frame.ts';
@@ -115,8 +116,8 @@ const slices = new WeakMap<Reflectance, Map<string, Curve>>();
 const MOST_SLICES = 24;
 
 function slice(f: Reflectance, settings: PaneSettings): Curve {
-  const { view, thetaV, phiV, thetaL, thetaH, thetaD, turns, cosine } = settings;
-  const key = JSON.stringify([view, thetaV, phiV, thetaL, thetaH, thetaD, turns, cosine]);
+  const { view, over, thetaV, phiV, thetaL, phiL, thetaH, thetaD, turns, cosine } = settings;
+  const key = JSON.stringify([view, over, thetaV, phiV, thetaL, phiL, thetaH, thetaD, turns, cosine]);
   const known = slices.get(f) ?? new Map<string, Curve>();
   slices.set(f, known);
   const kept = known.get(key);
@@ -132,7 +133,7 @@ function computeSlice(f: Reflectance, settings: PaneSettings): Curve {
   switch (settings.view) {
     case 'polar':
     case 'thetaL':
-      return lightSlice(f, options);
+      return settings.over === 'viewer' ? viewerSlice(f, options) : lightSlice(f, options);
     case 'thetaH':
       return halfSlice(f, options);
     case 'thetaD':
@@ -150,7 +151,7 @@ function sliceAt(f: Reflectance, angle: number, settings: PaneSettings): CurvePo
   switch (settings.view) {
     case 'polar':
     case 'thetaL':
-      return lightSliceAt(f, angle, options);
+      return settings.over === 'viewer' ? viewerSliceAt(f, angle, options) : lightSliceAt(f, angle, options);
     case 'thetaH':
       return halfSliceAt(f, angle, options);
     case 'thetaD':

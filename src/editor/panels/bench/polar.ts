@@ -4,6 +4,8 @@ import {
   colors,
   curveTable,
   degrees,
+  handleColor,
+  incidenceOf,
   lightFromPlane,
   lightInPlane,
   type Plot,
@@ -37,7 +39,7 @@ function pointAt({ center, radius }: Fan, angle: number, part: number): Point {
   return [center[0] + radius * part * Math.sin(theta), center[1] - radius * part * Math.cos(theta)];
 }
 
-/** theta_l under the pointer, negative on the viewer's side; null beside the plot. */
+/** The angle under the pointer of what moves, negative on the side of what stands still; null beside the plot. */
 function angleUnder(width: number, height: number, [x, y]: Point): number | null {
   const { center, radius } = fanOf(width, height);
   const [dx, dy] = [x - center[0], center[1] - y];
@@ -52,26 +54,32 @@ export const polarView: View = {
     const x = angleUnder(width, height, at);
     return x === null ? null : { x };
   },
-  where: ({ x }) => `θl ${degrees(x)}`,
+  where: ({ x }, { settings }) => `θ${incidenceOf(settings).moving} ${degrees(x)}`,
   value: (curve, { x }) => curve.at(x)?.rgb,
-  grip({ settings }, width, height, at) {
+  grip(plot, width, height, at) {
     if (angleUnder(width, height, at) === null) return null;
+    const { settings, still, moving } = incidenceOf(plot.settings);
     const angle = lightInPlane(settings);
     const [x, y] = pointAt(fanOf(width, height), angle ?? 0, 1);
-    return angle !== null && Math.hypot(at[0] - x, at[1] - y) < REACH ? 'l' : 'v';
+    return angle !== null && Math.hypot(at[0] - x, at[1] - y) < REACH ? moving : still;
   },
-  drag({ settings }, width, height, at, handle) {
+  drag(plot, width, height, at, handle) {
     const angle = angleUnder(width, height, at);
     if (angle === null) return {};
-    if (handle === 'l') return lightFromPlane(angle, settings);
-    return { thetaV: Math.min(STEEPEST, tenths(Math.abs(angle))) };
+    const { settings, moving, change } = incidenceOf(plot.settings);
+    if (handle === moving) return change(lightFromPlane(angle, settings));
+    return change({ thetaV: Math.min(STEEPEST, tenths(Math.abs(angle))) });
   },
-  keys: turnedViewer,
-  table: (plot) => curveTable('theta_l_deg', plot),
+  keys(settings, right) {
+    const seen = incidenceOf(settings);
+    return seen.change(turnedViewer(seen.settings, right));
+  },
+  table: (plot) => curveTable(`theta_${incidenceOf(plot.settings).moving}_deg`, plot),
 };
 
 function drawPolar(painter: Painter, plot: Plot): void {
-  const { settings, curves, probe } = plot;
+  const { curves, probe } = plot;
+  const { settings, still, moving } = incidenceOf(plot.settings);
   const fan = fanOf(painter.width, painter.height);
   const { center, radius } = fan;
   const scale = valueScale(valuesOf(plot), settings.log, settings.range);
@@ -97,13 +105,14 @@ function drawPolar(painter: Painter, plot: Plot): void {
   painter.text(quantityOf(settings), [14, 14], { color: colors.text });
 
   painter.line([center, at(settings.thetaV, 1)], { color: colors.faint, dash: [3, 4] });
-  painter.line([center, at(-settings.thetaV, 1)], { color: colors.guide });
-  painter.disc(at(-settings.thetaV, 1), 4, colors.guide);
-  painter.text('v', at(-settings.thetaV - 4, 1 - 14 / radius), { color: colors.guide, align: 'center' });
+  const color = handleColor(still);
+  painter.line([center, at(-settings.thetaV, 1)], { color });
+  painter.disc(at(-settings.thetaV, 1), 4, color);
+  painter.text(still, at(-settings.thetaV - 4, 1 - 14 / radius), { color, align: 'center' });
   const light = lightInPlane(settings);
   if (light !== null) {
-    painter.disc(at(light, 1), 4, colors.light);
-    painter.text('l', at(light + 4, 1 - 14 / radius), { color: colors.light, align: 'center' });
+    painter.disc(at(light, 1), 4, handleColor(moving));
+    painter.text(moving, at(light + 4, 1 - 14 / radius), { color: handleColor(moving), align: 'center' });
   }
   if (probe) painter.line([center, at(probe.x, 1)], { color: colors.axis });
 

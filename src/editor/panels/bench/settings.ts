@@ -22,6 +22,9 @@ export const views = [
 ] as const;
 export type BenchView = (typeof views)[number];
 
+export const moving = ['light', 'viewer'] as const;
+export type Moving = (typeof moving)[number];
+
 /** A model that is not shipped but a document's own: of that document, what belongs to it. */
 export type OwnModel = Pick<Document, 'models' | 'assets'>;
 
@@ -47,6 +50,8 @@ export interface BenchSettings {
   readonly phiL: number;
   readonly thetaH: number;
   readonly thetaD: number;
+  /** What moves in the slices through the plane of incidence. */
+  readonly over: Moving;
   /** What goes round in the views over the azimuth. */
   readonly turns: Turning;
   /** The parameter of the view over a parameter; the model's first number if it has none of that name. */
@@ -106,6 +111,7 @@ export const initialSettings: BenchSettings = {
   phiL: 180,
   thetaH: 0,
   thetaD: 0,
+  over: 'light',
   turns: 'light',
   parameter: 'roughness',
   substance: 'gold',

@@ -3,7 +3,10 @@ import { fresnelCurves } from '../../../analysis/plots/fresnel.ts';
 import { substances } from '../../../analysis/substances/table.ts';
 import { between } from './between.ts';
 import type { PlottedCurve } from './frame.ts';
-import { CURRENT_COLOR, freeColor } from './settings.ts';
+
+/** Of no material: those have their colours from the bench's legend. */
+const EXACT = '#e8eaee';
+const SCHLICK = '#8e96a3';
 
 const known = new Map<string, readonly PlottedCurve[]>();
 
@@ -15,8 +18,8 @@ export function substanceCurves(name: string): readonly PlottedCurve[] {
   if (kept) return kept;
   const { exact, schlick } = fresnelCurves(substance);
   const curves = [
-    { id: 'exact', name: `${substance.title}, exact`, color: CURRENT_COLOR, points: exact },
-    { id: 'schlick', name: `${substance.title}, Schlick`, color: freeColor([]), points: schlick },
+    { id: 'exact', name: `${substance.title}, exact`, color: EXACT, points: exact },
+    { id: 'schlick', name: `${substance.title}, Schlick`, color: SCHLICK, points: schlick },
   ].map(
     (curve, index): PlottedCurve => ({
       ...curve,

@@ -14,6 +14,7 @@ export type ControlKey =
   | 'phiL'
   | 'thetaH'
   | 'thetaD'
+  | 'over'
   | 'turns'
   | 'parameter'
   | 'substance'
@@ -40,6 +41,7 @@ export interface ViewInfo {
 const curve = ['term', 'channel', 'log', 'cosine', 'range'] as const;
 const albedo = ['phiV', 'term', 'channel', 'log', 'range'] as const;
 const picture = ['term', 'tint', 'log', 'brightness', 'chroma'] as const;
+const incidence = ['over', 'thetaV', 'phiV', 'thetaL', 'phiL', 'light', ...curve] as const;
 const lit = ['thetaV', 'phiV', 'thetaL', 'phiL', 'light', 'doubleTheta', ...picture] as const;
 const azimuth = ['turns', 'thetaV', 'phiV', 'thetaL', 'thetaH', 'thetaD'] as const;
 
@@ -48,7 +50,7 @@ export const viewInfo: Readonly<Record<BenchView, ViewInfo>> = {
     label: 'Polar',
     tip: 'The plane of incidence from the side',
     view: polarView,
-    controls: ['thetaV', 'phiV', 'thetaL', 'light', ...curve],
+    controls: incidence,
   },
   lobe: {
     label: '3D',
@@ -57,10 +59,10 @@ export const viewInfo: Readonly<Record<BenchView, ViewInfo>> = {
     controls: ['thetaV', 'phiV', 'thetaL', 'phiL', 'light', ...curve],
   },
   thetaL: {
-    label: 'θl',
-    tip: 'Over the angle of the light, in the plane of incidence',
+    label: 'θl θv',
+    tip: 'Over the angle of the light or of the viewer, in the plane of incidence',
     view: cartesianView,
-    controls: ['thetaV', 'phiV', 'thetaL', 'light', ...curve],
+    controls: incidence,
   },
   thetaH: {
     label: 'θh',
@@ -112,13 +114,13 @@ export const viewInfo: Readonly<Record<BenchView, ViewInfo>> = {
   },
   sphere: {
     label: 'Sphere',
-    tip: 'A sphere under one light, evaluated in float64; drag to move the light',
+    tip: 'A sphere under one light; drag to move the light',
     view: sphereView,
     controls: lit,
   },
   object: {
     label: 'Object',
-    tip: 'The selected object under one light, evaluated in float64; drag to move the light',
+    tip: 'The selected object under one light; drag to move the light',
     view: objectView,
     controls: lit,
   },
