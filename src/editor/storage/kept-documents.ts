@@ -40,8 +40,8 @@ export interface Version {
 export const MOST_AUTOMATIC_VERSIONS = 20;
 /** Below this a new text is not worth writing: loading applies the changes in no time. */
 const LEAST_TO_MERGE = 64 * 1024;
-/** Deleted documents are purged by the next page, once nobody can still be looking at the offer to undo. */
-const UNDO_MS = 60_000;
+/** What was deleted in a page that is gone is purged by another one, after as long as an offer to undo may stay. */
+const UNDO_MS = 60 * 60_000;
 const LONGEST_ADDRESS = 300;
 
 export class KeptDocuments {

@@ -6,7 +6,7 @@ import type { Document } from '../../scene/schema.ts';
 import type { DocumentStore } from '../../scene/store.ts';
 import type { EditorStateStore } from '../state.ts';
 import { confirm } from '../ui/confirm.ts';
-import { OFFER_LIFE_MS, toast, toastError } from '../ui/toast.ts';
+import { toast, toastError } from '../ui/toast.ts';
 import { trackUnsaved, type Unsaved } from '../unsaved.ts';
 import { Autosave, type KeepState } from './autosave.ts';
 import { explainFailure } from './failure.ts';
@@ -225,15 +225,17 @@ export class Workspace {
       this.#autosave.opened(this.#store.document, null, '');
       await next();
     }
-    const purge = window.setTimeout(() => void storage.purge(kept.id).catch(() => {}), OFFER_LIFE_MS);
     const undo = async () => {
-      clearTimeout(purge);
       await storage.setDeleted(kept, false);
       const again = await storage.find(kept.id);
       if (open && again) await this.openKept(again);
       for (const listener of [...this.#listeners]) listener(this.keepState);
     };
-    toast('info', `Deleted “${kept.name}”`, undefined, { label: 'Undo', run: () => void undo() });
+    toast('info', `Deleted “${kept.name}”`, undefined, {
+      label: 'Undo',
+      run: () => void undo(),
+      onGone: () => void storage.purge(kept.id).catch(() => {}),
+    });
   }
 
   /** After a loss that only a new page cures: it opens with the same document. */

@@ -9,6 +9,8 @@ export type ToastKind = 'info' | 'note' | 'success' | 'error';
 export interface ToastAction {
   readonly label: string;
   run(): void;
+  /** The message has gone, and the offer was not taken. */
+  onGone?(): void;
 }
 
 export interface Progress {
@@ -19,7 +21,8 @@ export interface Progress {
 
 const LIFE_MS: Record<ToastKind, number> = { info: 4000, note: 0, success: 3000, error: 0 };
 /** Whoever is offered something needs the time to read it and to decide. */
-export const OFFER_LIFE_MS = 15_000;
+const OFFER_LIFE_MS = 15_000;
+const TICK_MS = 500;
 const MOST = 4;
 
 let stack: HTMLElement | null = null;
@@ -57,11 +60,27 @@ export function toast(kind: ToastKind, title: string, detail?: string, action?: 
   );
   element.classList.toggle('with-action', action !== undefined);
   element.dataset.text = title + (detail ?? '');
-  close.addEventListener('click', () => element.remove());
+  const go = () => {
+    element.remove();
+    action?.onGone?.();
+  };
+  close.addEventListener('click', go);
   host().append(element);
   while (host().children.length > MOST) host().firstElementChild?.remove();
   const life = action && LIFE_MS[kind] > 0 ? OFFER_LIFE_MS : LIFE_MS[kind];
-  if (life > 0) window.setTimeout(() => element.remove(), life);
+  if (life > 0) expire(element, life, go);
+}
+
+/** Time passes only while the message can be read and is not being pointed at; a page that hangs has no ticks. */
+function expire(element: HTMLElement, life: number, go: () => void): void {
+  let left = life;
+  const timer = window.setInterval(() => {
+    if (element.isConnected && (document.hidden || element.matches(':hover, :focus-within'))) return;
+    left -= TICK_MS;
+    if (left > 0 && element.isConnected) return;
+    clearInterval(timer);
+    if (element.isConnected) go();
+  }, TICK_MS);
 }
 
 function actionButton({ label, run }: ToastAction, close: () => void): HTMLButtonElement {
