@@ -8,6 +8,7 @@ import { CliError } from './command.ts';
 import type { DeviceChoice } from './gpu.ts';
 import { nodeAssets } from './node-assets.ts';
 import { createNodeRenderer } from './node-renderer.ts';
+import type { Shot } from './render/shots.ts';
 
 export interface FrameOptions extends Size {
   readonly format: 'png' | 'exr';
@@ -17,8 +18,11 @@ export interface FrameOptions extends Size {
 export interface Frames {
   /** What draws, for a person to read. */
   readonly device: string;
-  /** @returns a file. @param attributes go into its header */
-  draw(camera: Camera, attributes: Readonly<Record<string, string | number>>): Promise<Uint8Array>;
+  /** @returns a file. @param attributes of its header, given the exposure in EV */
+  draw(
+    shot: Pick<Shot, 'camera' | 'before'>,
+    attributes: (exposure: number) => Readonly<Record<string, string | number>>,
+  ): Promise<Uint8Array>;
   dispose(): void;
 }
 
@@ -41,15 +45,24 @@ export async function openFrames(document: Document, options: FrameOptions): Pro
   await renderer.compile(mirror, shown, options);
   return {
     device: node.gpu.adapter.info.description,
-    async draw(camera, attributes) {
-      mirror.apply({ ...document, camera });
+    async draw({ camera, before }, attributesFor) {
       const settings = { ...shown, camera };
+      const show = (from: Camera) => mirror.apply({ ...document, camera: from });
       // Each picture is one of its own, and is taken when it has become as good as it will.
       renderer.cut();
+      show(camera);
       let frames = 0;
       do renderer.render(mirror, settings, options);
       while (renderer.unsettled && ++frames < MOST_FRAMES);
+      if (before !== null && document.effects.motionBlur.enabled) {
+        // What moves is the camera: once more, as it comes from where it was.
+        show(before.camera);
+        renderer.render(mirror, { ...shown, camera: before.camera }, options, before.seconds);
+        show(camera);
+        renderer.render(mirror, settings, options, before.seconds);
+      }
       await renderer.settleExposure(view);
+      const attributes = attributesFor(renderer.exposure(view));
       if (format === 'png') return encodePng(await renderer.readImage(view), width, height, attributes);
       return encodeExr({ ...exrImage(await renderer.readRadiance()), attributes });
     },

@@ -15,6 +15,8 @@ export class ExposureMeter {
   /** EV, where it is going. */
   #goal: number | null = null;
   #reading = false;
+  /** A reading from before a cut is of no use. */
+  #cuts = 0;
   readonly #source = inputTexture();
   readonly #pass: Pass;
 
@@ -43,6 +45,8 @@ export class ExposureMeter {
   /** What comes has nothing to do with what was: no way is gone from there to here. */
   cut(): void {
     this.#exposure = null;
+    this.#goal = null;
+    this.#cuts += 1;
   }
 
   /** Begins to look at a picture, unless it is still busy with one, and goes its way for `seconds`. */
@@ -52,8 +56,10 @@ export class ExposureMeter {
     }
     if (this.#reading) return;
     this.#reading = true;
+    const cuts = this.#cuts;
     this.#read(three, radiance)
       .then((goal) => {
+        if (cuts !== this.#cuts) return;
         this.#goal = goal;
         this.#exposure ??= goal;
       })

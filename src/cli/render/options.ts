@@ -84,6 +84,8 @@ export interface Animation {
   readonly frames: Range;
   /** Degrees that the camera goes about its target from one frame to the next. */
   readonly degreesPerFrame: number;
+  /** Frames per second. */
+  readonly fps: number;
 }
 
 type Words = Readonly<Record<string, string | undefined>>;
@@ -196,5 +198,5 @@ function parseAnimation(words: Words): Animation | null {
     throw new UsageError(`--frames ${words.frames}: expected A:B with A < B, such as 0:240`);
   const fps = number(words, 'fps', 'frames per second, more than 0', (x) => x > 0) ?? DEFAULTS.fps;
   const degrees = number(words, 'turntable', 'degrees per second', () => true) ?? DEFAULTS.turntable;
-  return { frames, degreesPerFrame: degrees / fps };
+  return { frames, degreesPerFrame: degrees / fps, fps };
 }

@@ -1,7 +1,8 @@
 /** Path traced pictures: one, or the frames of an animation. */
+import { cellLuminances, meter } from '../../color/exposure.ts';
 import { denoise } from '../../pathtracer/denoise/denoise.ts';
 import type { RenderRecord } from '../../pathtracer/record.ts';
-import type { Document } from '../../scene/schema.ts';
+import type { Document, View } from '../../scene/schema.ts';
 import { CliError } from '../command.ts';
 import { Interruption } from './interruption.ts';
 import { say } from './messages.ts';
@@ -36,7 +37,7 @@ export async function pathTraced(document: Document, options: RenderOptions): Pr
     if (interruption.signal.aborted) say('interrupted: nothing was rendered');
     for (const { shot, record } of open) {
       if (interruption.signal.aborted) break;
-      await renderShot(machine, shot, record, options, interruption.signal);
+      await renderShot(machine, shot, record, options, document.view, interruption.signal);
     }
     return interruption.exitCode;
   } finally {
@@ -50,6 +51,7 @@ async function renderShot(
   { path, camera, seed, title }: Shot,
   planned: RenderRecord,
   options: RenderOptions,
+  view: View,
   signal: AbortSignal,
 ): Promise<void> {
   const { width, height, maxDepth, clamp, until, first, animation } = options;
@@ -69,7 +71,6 @@ async function renderShot(
   const isWorthIt = film !== null && (stopped === null || animation === null);
   if (isWorthIt) {
     const range = { from: first, to: first + numbers };
-    const record = { ...planned, samples: [range], device: tracer.device };
     // An interruption ends the rendering; its picture is finished as any other.
     const denoised = options.denoise
       ? await denoise(film, {
@@ -77,10 +78,18 @@ async function renderShot(
         })
       : null;
     bar.clear();
+    const shown = denoised ?? film.mean();
+    const metered = view.exposureMode === 'auto' ? meter(cellLuminances(shown, width, height)) : 0;
+    const record = {
+      ...planned,
+      samples: [range],
+      device: tracer.device,
+      exposure: planned.exposure + metered,
+    };
     const file =
       options.format === 'exr'
         ? filmToExr(film, record, options.aovs, denoised)
-        : radianceToPng(denoised ?? film.mean(), film, record);
+        : radianceToPng(shown, film, record, view.show === 'luminance');
     savePicture(path, `-o ${path}`, file);
     bar.end(result);
   }

@@ -65,6 +65,7 @@ export function radianceToPng(
   radiance: Float32Array,
   { width, height }: Pick<ExrImage, 'width' | 'height'>,
   record: RenderRecord,
+  falseColor = false,
 ): Uint8Array {
-  return encodePng(displayPixels(radiance, record), width, height, toAttributes(record));
+  return encodePng(displayPixels(radiance, { ...record, falseColor }), width, height, toAttributes(record));
 }

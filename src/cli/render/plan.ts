@@ -1,5 +1,6 @@
 /** What a call has to render: its pictures with what their files say of them, but for frames that are there. */
 
+import { exposureFor } from '../../color/exposure.ts';
 import { documentHash, type RenderRecord } from '../../pathtracer/record.ts';
 import type { Document } from '../../scene/schema.ts';
 import { packageVersion } from '../package-root.ts';
@@ -10,7 +11,7 @@ import { type Shot, shotsOf, whyRender } from './shots.ts';
 
 export interface Plan {
   readonly shot: Shot;
-  /** What a file says that is whole; of the path tracer without its samples and device, which come later. */
+  /** What a file says that is whole, but for samples and device, and for what a meter says, which come later. */
   readonly record: RenderRecord;
 }
 
@@ -38,7 +39,7 @@ function recordOf(document: Document, hash: string, shot: Shot, options: RenderO
     camera: JSON.stringify(shot.camera),
     name,
     device: '',
-    exposure: view.exposure,
+    exposure: exposureFor(view, shot.camera, 0),
     toneMapping: view.toneMapping,
     denoised: options.denoise,
   };

@@ -17,7 +17,7 @@ export async function realtime(document: Document, options: RenderOptions): Prom
   try {
     for (const { shot, record } of open) {
       const { device } = frames;
-      const file = await frames.draw(shot.camera, toAttributes({ ...record, device }));
+      const file = await frames.draw(shot, (exposure) => toAttributes({ ...record, device, exposure }));
       saveWhole(shot.path, `-o ${shot.path}`, file);
       if (interruption.signal.aborted) {
         say(`interrupted after ${shot.path}`);

@@ -12,20 +12,23 @@ import { difference, fromAttributes } from './record.ts';
 export interface Shot {
   readonly path: string;
   readonly camera: Camera;
+  /** Where the camera was one frame before, and how many seconds that was; null for a single picture. */
+  readonly before: { readonly camera: Camera; readonly seconds: number } | null;
   readonly seed: number;
   /** Before its figures; empty for a single picture. */
   readonly title: string;
 }
 
 export function shotsOf({ camera }: Document, { output, seed, animation }: RenderOptions): Shot[] {
-  if (animation === null) return [{ path: output, camera, seed, title: '' }];
-  const { frames, degreesPerFrame } = animation;
+  if (animation === null) return [{ path: output, camera, before: null, seed, title: '' }];
+  const { frames, degreesPerFrame, fps } = animation;
   return Array.from({ length: frames.to - frames.from }, (_, i) => {
     const frame = frames.from + i;
     const path = framePath(output, frame);
     return {
       path,
       camera: turned(camera, frame * degreesPerFrame),
+      before: { camera: turned(camera, (frame - 1) * degreesPerFrame), seconds: 1 / fps },
       // Noise that stands still while the picture moves is seen more than noise that changes.
       seed: (seed + frame) % 2 ** 32,
       title: `${path}: `,

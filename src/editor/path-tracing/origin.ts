@@ -4,7 +4,8 @@ import { documentHash } from '../../pathtracer/record.ts';
 import type { Document } from '../../scene/schema.ts';
 import type { Origin } from './messages.ts';
 
-export async function originOf(document: Document): Promise<Origin> {
+/** @param exposure in EV, of the picture as it is shown */
+export async function originOf(document: Document, exposure: number): Promise<Origin> {
   const { name, view, pathTracing } = document;
   const { samples, error } = pathTracing;
   return {
@@ -13,7 +14,7 @@ export async function originOf(document: Document): Promise<Origin> {
     document: isSecureContext ? await documentHash(document) : '',
     name,
     until: error > 0 ? `error ${error}, ${samples} samples` : `samples 0:${samples}`,
-    exposure: view.exposure,
+    exposure,
     toneMapping: view.toneMapping,
   };
 }

@@ -46,6 +46,8 @@ export interface PathTracingOptions {
   readonly session: Session;
   /** The picture is new, or gone. */
   onPicture(): void;
+  /** What pictures are shown with, in EV. */
+  exposure(): number;
 }
 
 export class PathTracing {
@@ -125,7 +127,7 @@ export class PathTracing {
   async exr(): Promise<Uint8Array<ArrayBuffer>> {
     const { document } = this.#options.session.store;
     const ticket = this.#ticket;
-    const origin = await originOf(document);
+    const origin = await originOf(document, this.#options.exposure());
     const file =
       ticket === this.#ticket &&
       this.#state.kind === 'picture' &&
@@ -271,7 +273,8 @@ export class PathTracing {
 }
 
 function keyOf({ camera, width, height }: Look, { pathTracing }: Document): string {
-  const { near, far, ...seen } = camera;
+  // Neither clipping nor exposure is seen in the radiance.
+  const { near, far, shutter, iso, ...seen } = camera;
   const { samples, error, ...settings } = pathTracing;
   return JSON.stringify([seen, width, height, settings]);
 }

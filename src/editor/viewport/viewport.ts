@@ -63,7 +63,11 @@ export class Viewport {
         toastError('The picture could not be drawn', error);
       },
     });
-    this.tracing = new PathTracing({ session, onPicture: () => this.#loop.request() });
+    this.tracing = new PathTracing({
+      session,
+      onPicture: () => this.#loop.request(),
+      exposure: () => options.renderer.exposure(session.store.document.view),
+    });
     this.#camera = createCameraControl(mirror.camera, canvas, session.store, () => this.#redraw());
     this.#camera.follow(session.store.document);
     this.#tracingView = createPathTracingView(session, this.tracing, () => this.#readPair());

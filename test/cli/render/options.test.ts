@@ -55,10 +55,10 @@ test.each([
     { clamp: 2.5, seed: 9, maxDepth: 3 },
   ],
   [{ output: 'A.PNG' }, { format: 'png' }],
-  [{ frames: '10:20' }, { animation: { frames: { from: 10, to: 20 }, degreesPerFrame: 1.5 } }],
+  [{ frames: '10:20' }, { animation: { frames: { from: 10, to: 20 }, degreesPerFrame: 1.5, fps: 24 } }],
   [
     { frames: '0:2', fps: '30', turntable: '-90' },
-    { animation: { frames: { from: 0, to: 2 }, degreesPerFrame: -3 } },
+    { animation: { frames: { from: 0, to: 2 }, degreesPerFrame: -3, fps: 30 } },
   ],
 ])('%j', (options, expected) => {
   expect(parse(options)).toMatchObject(expected);
