@@ -9,6 +9,7 @@ const COMMANDS: Readonly<Record<string, () => Promise<{ default: Command }>>> = 
   serve: () => import('./commands/serve.ts'),
   render: () => import('./commands/render.ts'),
   merge: () => import('./commands/merge.ts'),
+  convert: () => import('./commands/convert.ts'),
   'brdf list': () => import('./commands/brdf-list.ts'),
   'brdf show': () => import('./commands/brdf-show.ts'),
   'brdf eval': () => import('./commands/brdf-eval.ts'),
@@ -69,6 +70,8 @@ const USERS_FAULTS = new Set([
   'ByteError',
   'GpuUnavailableError',
   'PathTracerError',
+  'GltfError',
+  'ModelFileError',
 ]);
 
 /** Errors of files, documents and models say by their names that their message is all there is to say. */

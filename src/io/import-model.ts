@@ -4,13 +4,9 @@ import { Notes } from './gltf/notes.ts';
 import { type ImportedModel, type ImportOptions, importConverted, importGltf } from './gltf.ts';
 import { convertObj, convertPly, convertStl } from './meshes/convert.ts';
 import { ModelFileError } from './meshes/error.ts';
-import { isObjectScene, readObjectScene } from './object-scene/read.ts';
-
-/** How the names of model files end; three.js's scenes end in .json as documents do, and are told by what is inside. */
-export const modelExtensions = ['glb', 'gltf', 'obj', 'ply', 'stl'] as const;
-
-export const isModelFile = (name: string): boolean =>
-  modelExtensions.some((extension) => name.toLowerCase().endsWith(`.${extension}`));
+import { modelExtensions } from './model-extensions.ts';
+import { readObjectScene } from './object-scene/read.ts';
+import { isObjectScene } from './object-scene/schema.ts';
 
 /**
  * Reads, checks and decodes all of a model before there is a recipe to apply: a broken file changes nothing.

@@ -7,7 +7,9 @@ import { pathTracingDefaults } from '../../scene/stage-schema.ts';
 import { CliError, type Command } from '../command.ts';
 import { readInput } from '../files.ts';
 import { modelArgument, modelFiles } from '../model-argument.ts';
+import { modelFileKinds } from '../model-file-kinds.ts';
 import { PREVIEW_SAMPLES, previewDocument } from '../preview.ts';
+import { say } from '../render/messages.ts';
 import { AOVS, completed, DEFAULTS, parseRenderOptions, renderOptions } from '../render/options.ts';
 import { checkWritable } from '../render/save.ts';
 import { sceneArgument } from '../scene-argument.ts';
@@ -18,7 +20,8 @@ const command: Command = {
   details: [
     '  SCENE      a scene that ships',
     '  MODEL      a model that ships; `irradia brdf list` names them',
-    `  FILE       a document, ${modelFiles}`,
+    `  FILE       a document, ${modelFileKinds};`,
+    `             ${modelFiles}`,
     '  -o         a .png is what the lab shows; an .exr has the linear radiance, before exposure and tone mapping,',
     '             and in its header what was rendered: `irradia merge` adds such files up',
     `  --size     WxH: width and height in pixels; otherwise ${DEFAULTS.size}`,
@@ -80,7 +83,11 @@ async function documentFor(word: string): Promise<Document> {
     const measurements = measuredAsset(readInput(word), word);
     return previewDocument(measurements.name, { measurements }, word);
   }
-  if (existsSync(word)) return (await sceneArgument(word)).document;
+  if (existsSync(word)) {
+    const { document, notes } = await sceneArgument(word);
+    for (const note of notes) say(`note: ${note}`);
+    return document;
+  }
   const scenes = sceneNames.join(', ');
   const models = [...shippedModels.keys()].join(', ');
   throw new CliError(

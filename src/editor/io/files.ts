@@ -1,4 +1,5 @@
 /** Files that a person gives the page: what they are, and their bytes as a document's asset. */
+import { modelExtensions } from '../../io/model-extensions.ts';
 import { measuredExtensions } from '../../scene/measured.ts';
 import type { Asset, Document } from '../../scene/schema.ts';
 
@@ -14,7 +15,7 @@ const MEDIA_TYPES: Readonly<Record<string, string>> = {
   gltf: 'model/gltf+json',
 };
 
-const MODELS = ['glb', 'gltf', 'obj', 'ply', 'stl'];
+const MODELS: readonly string[] = modelExtensions;
 
 const IMAGES = ['png', 'jpg', 'jpeg', 'webp', 'avif'];
 const ENVIRONMENTS = ['hdr', 'exr'];

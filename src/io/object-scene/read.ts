@@ -20,12 +20,6 @@ import { SceneTextures } from './textures.ts';
 /** A document's objects end there. */
 const MOST_OBJECTS = 20_000;
 
-/** Whether a file's JSON is a scene, an object or a geometry of three.js, or a project of its editor. */
-export function isObjectScene(json: unknown): boolean {
-  const metadata = (json as { metadata?: { type?: unknown } } | null)?.metadata;
-  return ['Object', 'BufferGeometry', 'Geometry', 'App', 'Scene'].includes(String(metadata?.type ?? ''));
-}
-
 /** @throws ModelFileError with the path of the field that is wrong */
 export function readObjectScene(
   json: unknown,

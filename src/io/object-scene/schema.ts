@@ -154,3 +154,9 @@ export const sceneSchema = z.looseObject({
   object: objectSchema,
 });
 export type SourceScene = z.output<typeof sceneSchema>;
+
+/** Whether a file's JSON is a scene, an object or a geometry of three.js, or a project of its editor. */
+export function isObjectScene(json: unknown): boolean {
+  const metadata = (json as { metadata?: { type?: unknown } } | null)?.metadata;
+  return ['Object', 'BufferGeometry', 'Geometry', 'App', 'Scene'].includes(String(metadata?.type ?? ''));
+}

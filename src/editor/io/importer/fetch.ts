@@ -1,6 +1,7 @@
 /** A file from an address, with the files that it refers to beside it. */
 import { pathIn } from '../../../io/meshes/companions.ts';
 import { ModelFileError } from '../../../io/meshes/error.ts';
+import { referencesOf } from '../../../io/meshes/references.ts';
 import type { Progress } from './jobs.ts';
 
 const MOST_BYTES = 512 * 1024 * 1024;
@@ -20,7 +21,7 @@ export async function fetchFiles(address: string, progress: Progress): Promise<F
   const main = { path, bytes: await fetchBytes(url, progress) };
   const parts: Fetched[] = [];
   // What a .obj file names may name more, as materials name textures.
-  let references = referencesOf(main);
+  let references = referencesOf(main.path, main.bytes);
   const known = new Set([path]);
   while (references.length > 0) {
     const wanted = references.filter((reference) => !known.has(reference));
@@ -37,7 +38,7 @@ export async function fetchFiles(address: string, progress: Progress): Promise<F
       if (bytes === null) continue;
       const part = { path: pathIn(reference), bytes };
       parts.push(part);
-      references.push(...referencesOf(part));
+      references.push(...referencesOf(part.path, part.bytes));
     }
   }
   return [main, ...parts];
@@ -77,31 +78,4 @@ async function fetchBytes(url: URL, progress: Progress): Promise<Uint8Array<Arra
     at += part.length;
   }
   return bytes;
-}
-
-const isRelative = (reference: unknown): reference is string =>
-  typeof reference === 'string' && reference !== '' && !/^([a-z][a-z0-9+.-]*:|\/\/)/i.test(reference);
-
-/** The files beside it that a file asks for. What is wrong with it the import will say. */
-function referencesOf({ path, bytes }: Fetched): string[] {
-  const text = () => new TextDecoder().decode(bytes);
-  if (/\.(gltf|json)$/i.test(path)) {
-    try {
-      const { buffers = [], images = [] } = JSON.parse(text()) as Record<string, Record<string, unknown>[]>;
-      return [...buffers.map(({ uri }) => uri), ...images.map(({ uri, url }) => uri ?? url)].filter(
-        isRelative,
-      );
-    } catch {
-      return [];
-    }
-  }
-  if (/\.obj$/i.test(path))
-    return [...text().matchAll(/^\s*mtllib\s+(.+?)\s*$/gm)].map(([, name]) => name ?? '').filter(isRelative);
-  if (/\.mtl$/i.test(path))
-    return [
-      ...text().matchAll(/^\s*(?:map_\w+|norm|bump)\s+(?:-\w+\s+(?:(?:on|off|[-\d.]+)\s+)*)*(.+?)\s*$/gim),
-    ]
-      .map(([, name]) => name ?? '')
-      .filter(isRelative);
-  return [];
 }

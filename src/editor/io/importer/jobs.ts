@@ -1,8 +1,9 @@
 /** Reading of files: all that takes time is done here, and told as it goes on. */
 
-import { importModel, importObjectScene, isModelFile } from '../../../io/import-model.ts';
+import { importModel, importObjectScene } from '../../../io/import-model.ts';
 import { isMaterialFile, readMaterialFile } from '../../../io/material-file.ts';
 import type { Companions } from '../../../io/meshes/companions.ts';
+import { isModelFile } from '../../../io/model-extensions.ts';
 import { readZip } from '../../../io/zip.ts';
 import { messageOf } from '../../../scene/assets.ts';
 import { parseDocument } from '../../../scene/document.ts';
