@@ -14,6 +14,8 @@ import { type KeptDocument, KeptDocuments, type Version } from './kept-documents
 import { hold, readSession, type SessionRecord, writeSession } from './session-record.ts';
 import { Thumbnails } from './thumbnails.ts';
 
+const PURGE_AFTER_MS = 10_000;
+
 export interface WorkspaceOptions {
   readonly store: DocumentStore;
   readonly state: EditorStateStore;
@@ -92,11 +94,11 @@ export class Workspace {
     }
     const session = readSession();
     const same = session?.address === address ? session : null;
+    // After the first frame, in whose way it would be.
+    window.setTimeout(() => void this.#storage?.purge().catch(() => {}), PURGE_AFTER_MS);
     if (await this.#recover(address, same, addressed)) return;
     await this.#openAddressed(address, addressed);
     if (!same && address !== '') await this.#offerEarlierWork(address);
-    // Not in the way of the first frame.
-    void this.#storage?.purge().catch(() => {});
   }
 
   async #openAddressed(address: string, addressed: () => Promise<Document>): Promise<void> {
