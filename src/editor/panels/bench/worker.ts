@@ -15,8 +15,8 @@ import type { OwnModel } from './settings.ts';
 /** null is a pause; REST is a longer one, after which the job goes on if no other has come in its place. */
 type Steps = Generator<Result | null | typeof REST>;
 const REST = Symbol('rest');
-/** Longer than from one frame to the next: what is drawn while a slider moves has to be drawn fast. */
-const REST_MS = 80;
+/** Longer than from one frame to the next, slow ones, too: what is drawn while a slider moves has to be drawn fast. */
+const REST_MS = 250;
 
 const SIZES = [16, 32, 64, 128];
 /** With fewer points a curve says nothing; with these it follows a slider, if coarsely. */
