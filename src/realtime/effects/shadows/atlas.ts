@@ -2,7 +2,7 @@
  * All maps of all lights: squares of one texture, since a shader may have no more than 16 textures on any machine. A texel
  * is the distance in metres from the map's camera; from a plane, if the map is of a parallel light.
  */
-import { float, positionView } from 'three/tsl';
+import { float, positionView, vec4 } from 'three/tsl';
 import {
   AlwaysDepth,
   type Camera,
@@ -138,7 +138,9 @@ export class ShadowAtlas {
     material.name = 'shadows';
     material.side = side;
     const P = positionView as Node<'vec3'>;
-    material.colorNode = (isParallel ? P.z.negate() : P.length()) as unknown as NodeMaterial['colorNode'];
+    const distance = isParallel ? P.z.negate() : P.length();
+    // Its alpha is for what cuts holes.
+    material.colorNode = vec4(distance, 0, 0, 1) as unknown as NodeMaterial['colorNode'];
     this.#made.push(material);
     return material;
   }

@@ -63,10 +63,11 @@ export function fitParallel(
       high.max(place);
     }
   }
-  const depth = Math.max(high.z - low.z, 1e-6);
-  // Planes of the cameras a little beyond the casters.
-  const height = high.z + 0.01 * depth;
-  const range = 1.02 * depth;
+  const depth = high.z - low.z;
+  // The cameras' planes are beyond the casters, by more than float32 may be off.
+  const gap = 1e-3 * Math.max(depth, high.x - low.x, high.y - low.y, high.length());
+  const height = high.z + gap;
+  const range = depth + 2 * gap;
   const view = viewDistances(casting, camera, settings.maxDistance);
   const whole = wholeWindow(low, high, camera, toFrame, settings, view.far);
   const texel = Math.max(whole.u[1] - whole.u[0], whole.v[1] - whole.v[0]) / settings.size;
