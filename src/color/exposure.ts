@@ -63,17 +63,35 @@ const DARKEST = 1e-6;
 /** EV; further than this no picture is pushed. */
 const MOST = 32;
 
+/** Of a picture's half: cells this far from the middle count by exp(-1/2). Cameras call it centre-weighted. */
+const CENTRE = 0.5;
+
 /**
  * The exposure in EV that shows the mean of the log luminances between two percentiles as middle grey; 0 for a black
- * picture. @param luminances nits, of the parts of a picture
+ * picture.
+ *
+ * @param cells luminances in nits, row by row
+ * @param columns of cells; the middle of the picture counts more than its borders
  */
-export function meter(luminances: Float32Array): number {
-  const lit = luminances.filter((nits) => nits > DARKEST && nits < Number.POSITIVE_INFINITY).sort();
+export function meter(cells: Float32Array, columns: number): number {
+  const rows = cells.length / columns;
+  const lit = [...cells.keys()].filter((i) => cells[i]! > DARKEST && cells[i]! < Number.POSITIVE_INFINITY);
   if (lit.length === 0) return 0;
-  const from = Math.floor(METERED[0] * lit.length);
-  const to = Math.max(from + 1, Math.ceil(METERED[1] * lit.length));
-  let sum = 0;
-  for (let i = from; i < to; i++) sum += Math.log2(lit[i]!);
+  lit.sort((a, b) => cells[a]! - cells[b]!);
+  const weights = lit.map((i) => {
+    const x = (2 * ((i % columns) + 0.5)) / columns - 1;
+    const y = (2 * (Math.floor(i / columns) + 0.5)) / rows - 1;
+    return Math.exp((-0.5 * (x * x + y * y)) / CENTRE ** 2);
+  });
+  const total = weights.reduce((sum, weight) => sum + weight, 0);
+  const [from, to] = METERED.map((share) => share * total) as [number, number];
+  let [passed, sum] = [0, 0];
+  for (const [k, i] of lit.entries()) {
+    const next = passed + weights[k]!;
+    // The part of the cell's weight that lies between the percentiles.
+    sum += Math.max(0, Math.min(next, to) - Math.max(passed, from)) * Math.log2(cells[i]!);
+    passed = next;
+  }
   const exposure = Math.log2(MIDDLE_GRAY) - sum / (to - from);
   return Math.min(MOST, Math.max(-MOST, exposure));
 }
@@ -81,8 +99,13 @@ export function meter(luminances: Float32Array): number {
 /** A picture is metered in so many cells along each side, each by its mean. */
 export const METER_CELLS = 64;
 
-/** The mean luminances of a picture's cells, as the GPU finds them for its own. @param radiance linear RGB */
-export function cellLuminances(radiance: Float32Array, width: number, height: number): Float32Array {
+/** What a meter says of a picture. @param radiance linear RGB */
+export function meterPicture(radiance: Float32Array, width: number, height: number): number {
+  return meter(cellLuminances(radiance, width, height), Math.min(METER_CELLS, width));
+}
+
+/** The mean luminances of a picture's cells, as the GPU finds them for its own. */
+function cellLuminances(radiance: Float32Array, width: number, height: number): Float32Array {
   const columns = Math.min(METER_CELLS, width);
   const rows = Math.min(METER_CELLS, height);
   const sums = new Float32Array(columns * rows);

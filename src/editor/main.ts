@@ -42,6 +42,7 @@ import { h } from './ui/dom.ts';
 import type { MenuEntry } from './ui/menu.ts';
 import { startProgress, toast, toastError } from './ui/toast.ts';
 import { installTooltip } from './ui/tooltip.ts';
+import { stepShown } from './viewport/show.ts';
 import { Viewport } from './viewport/viewport.ts';
 
 /** For the browser's console and for tests: `irradia.store.edit(...)`, `await irradia.ready`. */
@@ -100,6 +101,7 @@ const session: Session = {
   chooseFiles,
   renameSelected: () => outliner.renameSelected(),
   focusSelection: () => window.irradia.viewport?.focusSelection(),
+  pickFocus: () => window.irradia.viewport?.pickFocus(),
 };
 
 const outliner = createOutliner(session);
@@ -145,6 +147,9 @@ installShortcuts([
   { key: 'delete', run: () => deleteSelected(store, state) },
   { key: 'backspace', run: () => deleteSelected(store, state) },
   { key: 'f', run: () => session.focusSelection() },
+  { key: 'f', shift: true, run: () => session.pickFocus() },
+  { key: 'v', run: () => stepShown(session, 1) },
+  { key: 'v', shift: true, run: () => stepShown(session, -1) },
   { key: 'h', run: () => toggleHelpers(store) },
   { key: 'b', run: () => toggleBench(state) },
   { key: 'b', shift: true, run: () => toggleBenchPage(state) },

@@ -14,6 +14,8 @@ export interface Session {
   save(): void;
   /** Opens the name of what is selected for typing. */
   renameSelected(): void;
+  /** The next click on the picture says what the lens is focused on. */
+  pickFocus(): void;
   /** Turns the camera to what is selected, or to everything. */
   focusSelection(): void;
   /** Puts files into the scene, as a drop on the page does; images as its environment where that is what was asked for. */

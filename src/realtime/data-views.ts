@@ -29,7 +29,7 @@ type Vec3 = Node<'vec3'>;
 /** Those that the surfaces pass has already. */
 const OF_SURFACES: readonly Show[] = ['depth', 'meshNormals', 'motion'];
 /** Those that materials say themselves. */
-const OF_MATERIALS: readonly Show[] = ['shadingNormals', 'tangents', 'uv', 'lights'];
+const OF_MATERIALS: readonly Show[] = ['shadingNormals', 'tangents', 'textureCoordinates', 'lights'];
 
 export class DataViews {
   readonly #inputs: FrameInputs;

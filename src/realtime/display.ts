@@ -56,7 +56,7 @@ export function displayNode(
     case 'meshNormals':
     case 'tangents':
       return vec4(pixel.rgb.mul(0.5).add(0.5).mul(pixel.a), 1);
-    case 'uv':
+    case 'textureCoordinates':
       return vec4(pixel.rg.fract().mul(pixel.a), 0, 1);
     case 'motion':
       return vec4(pixel.rg.div(2 * MOST_MOTION).add(0.5), 0.5, 1);

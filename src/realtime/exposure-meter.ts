@@ -86,6 +86,7 @@ export class ExposureMeter {
     const side = METER_CELLS;
     const target = this.#pass.render(three, side, side);
     const pixels = await three.readRenderTargetPixelsAsync(target, 0, 0, side, side);
-    return meter(Float32Array.from({ length: side * side }, (_, i) => (pixels as Float32Array)[4 * i]!));
+    const cells = Float32Array.from({ length: side * side }, (_, i) => (pixels as Float32Array)[4 * i]!);
+    return meter(cells, side);
   }
 }

@@ -201,6 +201,23 @@ export class RealtimeRenderer {
     return { width, height, pixels };
   }
 
+  /** One pixel of it. @param x @param y its place, from 0 at the left and the top to 1 */
+  async readPixel(x: number, y: number): Promise<[number, number, number, number]> {
+    const { width, height } = this.#result;
+    const at = (part: number, length: number) => Math.min(length - 1, Math.max(0, Math.floor(part * length)));
+    const [column, row] = [at(x, width), at(y, height)];
+    const fromTop = this.backend === 'webgl' ? height - 1 - row : row;
+    const data = (await this.three.readRenderTargetPixelsAsync(
+      this.#result,
+      column,
+      fromTop,
+      1,
+      1,
+    )) as Pixels;
+    const [r = 0, g = 0, b = 0, a = 0] = data instanceof Uint16Array ? Array.from(data, fromHalf) : data;
+    return [r, g, b, a];
+  }
+
   /** The last frame as the screen shows it, or beside another companion: 8-bit sRGB with alpha, rows from the top. */
   async readImage(view: ViewSettings, companion = this.companion): Promise<Uint8Array> {
     const { width, height } = this.three.domElement;

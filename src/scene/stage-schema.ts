@@ -144,7 +144,7 @@ export const SHOWN = [
   'shadingNormals',
   'meshNormals',
   'tangents',
-  'uv',
+  'textureCoordinates',
   'motion',
   'overdraw',
   'lights',

@@ -1,13 +1,13 @@
 import { describe, expect, test } from 'vitest';
 import {
   adapted,
-  cellLuminances,
   ev100,
   ev100OfExposure,
   exposureFor,
   exposureOfEv100,
   METER_CELLS,
   meter,
+  meterPicture,
 } from '../../src/color/exposure.ts';
 import { ZONE_COLORS, zoneBound, zoneIndex } from '../../src/color/false-color.ts';
 
@@ -44,24 +44,37 @@ describe('a camera', () => {
 
 describe('the meter', () => {
   test('shows an even picture as middle grey', () => {
-    expect(2 ** meter(new Float32Array(100).fill(40)) * 40).toBeCloseTo(0.18, 6);
+    expect(2 ** meter(new Float32Array(100).fill(40), 10) * 40).toBeCloseTo(0.18, 6);
   });
 
   test('looks between its percentiles: neither shade nor a lamp counts, and black does not', () => {
-    const picture = Float32Array.from({ length: 100 }, (_, i) => (i < 50 ? 0.01 : i < 95 ? 10 : 1e5));
-    expect(2 ** meter(picture) * 10).toBeCloseTo(0.18, 6);
-    expect(meter(new Float32Array([...picture, ...new Float32Array(500)]))).toBe(meter(picture));
-    expect(meter(new Float32Array(10))).toBe(0);
-    expect(meter(new Float32Array([Number.NaN, 1]))).toBeCloseTo(Math.log2(0.18));
+    // One row: all cells of a column weigh the same, and columns come in pairs.
+    const picture = Float32Array.from({ length: 200 }, (_, i) => (i % 2 ? 10 : 0.01));
+    picture[100] = picture[99] = 1e5;
+    const exposure = meter(picture, 200);
+    expect(2 ** exposure * 10).toBeCloseTo(0.18, 2);
+    const withBlack = Float32Array.from({ length: 400 }, (_, i) => (i < 200 ? picture[i]! : 0));
+    expect(meter(withBlack, 200)).toBeCloseTo(exposure, 6);
+    expect(meter(new Float32Array(10), 5)).toBe(0);
+    expect(meter(new Float32Array([Number.NaN, 1]), 2)).toBeCloseTo(Math.log2(0.18));
+  });
+
+  test('the middle of the picture counts more than its borders', () => {
+    const side = 30;
+    const object = Float32Array.from({ length: side * side }, (_, i) => {
+      const [x, y] = [(i % side) - 14.5, Math.floor(i / side) - 14.5];
+      return Math.hypot(x, y) < 8 ? 100 : 0.1;
+    });
+    // A fifth of the picture, but most of what is metered.
+    expect(2 ** meter(object, side) * 100).toBeGreaterThan(0.15);
+    expect(2 ** meter(object, side) * 100).toBeLessThan(1.5);
   });
 
   test('averages cells', () => {
     const [width, height] = [2 * METER_CELLS, METER_CELLS];
     const radiance = new Float32Array(3 * width * height).map((_, i) => (Math.floor(i / 3) % 2 ? 3 : 1));
-    const cells = cellLuminances(radiance, width, height);
-    expect(cells).toHaveLength(METER_CELLS ** 2);
-    for (const cell of cells) expect(cell).toBeCloseTo(2, 5);
-    expect(cellLuminances(radiance.slice(0, 30), 5, 2)).toHaveLength(10);
+    expect(2 ** meterPicture(radiance, width, height) * 2).toBeCloseTo(0.18, 5);
+    expect(2 ** meterPicture(radiance.slice(0, 30).fill(5), 5, 2) * 5).toBeCloseTo(0.18, 5);
   });
 
   test('is followed over time, faster towards the bright, and arrives', () => {

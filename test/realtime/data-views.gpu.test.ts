@@ -60,7 +60,7 @@ test('tangents in world space', async () => {
 });
 
 test('texture coordinates', async () => {
-  const { at } = await shown('uv');
+  const { at } = await shown('textureCoordinates');
   // The far wall is 6 m wide, 4 m away, where the picture is 8 m wide: 24 pixels from the fifth on.
   expect(at(4, 16)[0]).toBeCloseTo(0.5 / 24, 2);
   expect(at(10, 16)[0]).toBeCloseTo(6.5 / 24, 2);
@@ -95,6 +95,6 @@ test('motion in pixels a frame, and none of what stands still', async () => {
 
 test('the picture itself is as it was, after any of them', async () => {
   const before = await maker.draw(walls('picture'));
-  for (const show of ['uv', 'overdraw', 'depth'] as const) await maker.draw(walls(show));
+  for (const show of ['textureCoordinates', 'overdraw', 'depth'] as const) await maker.draw(walls(show));
   expect(await maker.draw(walls('picture'))).toEqual(before);
 });

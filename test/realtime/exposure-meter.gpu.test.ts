@@ -1,6 +1,6 @@
 import { DataTexture, FloatType, NearestFilter, RGBAFormat } from 'three/webgpu';
 import { expect, test } from 'vitest';
-import { cellLuminances, meter } from '../../src/color/exposure.ts';
+import { meterPicture } from '../../src/color/exposure.ts';
 import { ExposureMeter } from '../../src/realtime/exposure-meter.ts';
 import { material, scene } from '../pathtracer/scenes.ts';
 import { frameMaker } from './effects/frames.ts';
@@ -31,7 +31,7 @@ test('the GPU meters what the CPU meters', async () => {
   texture.needsUpdate = true;
   const onGpu = new ExposureMeter();
   await onGpu.settle(renderer.three, texture);
-  expect(onGpu.exposure).toBeCloseTo(meter(cellLuminances(radiance, side, side)), 1);
+  expect(onGpu.exposure).toBeCloseTo(meterPicture(radiance, side, side), 1);
   onGpu.dispose();
 });
 

@@ -1,5 +1,5 @@
 /** Path traced pictures: one, or the frames of an animation. */
-import { cellLuminances, meter } from '../../color/exposure.ts';
+import { meterPicture } from '../../color/exposure.ts';
 import { denoise } from '../../pathtracer/denoise/denoise.ts';
 import type { RenderRecord } from '../../pathtracer/record.ts';
 import type { Document, View } from '../../scene/schema.ts';
@@ -79,7 +79,7 @@ async function renderShot(
       : null;
     bar.clear();
     const shown = denoised ?? film.mean();
-    const metered = view.exposureMode === 'auto' ? meter(cellLuminances(shown, width, height)) : 0;
+    const metered = view.exposureMode === 'auto' ? meterPicture(shown, width, height) : 0;
     const record = {
       ...planned,
       samples: [range],

@@ -35,6 +35,9 @@ export function createCameraControl(
 
   const write = (label: string) => {
     const { position, target } = pose();
+    const { camera: before } = store.document;
+    // A click that moves nothing is no step to be undone.
+    if (String(position) === String(before.position) && String(target) === String(before.target)) return;
     attempt('The camera stays where it was', () =>
       store.edit(
         label,
@@ -74,6 +77,7 @@ export function createCameraControl(
 
 /** A tenth of a millimetre: a document that people read needs no more. */
 function rounded(v: Vector3): [number, number, number] {
-  const round = (x: number) => Number(x.toFixed(4));
+  // Never -0, which would be another value than the document's 0.
+  const round = (x: number) => Number(x.toFixed(4)) + 0;
   return [round(v.x), round(v.y), round(v.z)];
 }

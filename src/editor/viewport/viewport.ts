@@ -6,6 +6,7 @@ import { Box3, type Matrix4, Vector3 } from 'three/webgpu';
 import type { RealtimeRenderer } from '../../realtime/renderer.ts';
 import type { SceneMirror } from '../../scene/mirror.ts';
 import type { Document } from '../../scene/schema.ts';
+import { attempt } from '../commands.ts';
 import type { FrameTimes } from '../panels/status/frame-times.ts';
 import type { RenderFigures } from '../panels/status/status.ts';
 import type { ImagePair } from '../path-tracing/difference.ts';
@@ -14,12 +15,13 @@ import { createPathTracingView, type PathTracingView } from '../path-tracing/vie
 import type { Session } from '../session.ts';
 import type { EditorState } from '../state.ts';
 import { h } from '../ui/dom.ts';
-import { toastError } from '../ui/toast.ts';
+import { toast, toastError } from '../ui/toast.ts';
 import { createCameraControl } from './camera.ts';
 import { FrameLoop } from './frame-loop.ts';
 import { gpuFinished } from './gpu-finish.ts';
 import { createOverlay, type Overlay } from './overlay.ts';
-import { pickObject } from './picking.ts';
+import { pickDistance, pickObject } from './picking.ts';
+import { createShowView, type ShowView } from './show.ts';
 import { countScene, type SceneCounts } from './statistics.ts';
 
 export interface ViewportOptions {
@@ -44,6 +46,10 @@ export class Viewport {
   readonly #camera: ReturnType<typeof createCameraControl>;
   readonly tracing: PathTracing;
   readonly #tracingView: PathTracingView;
+  readonly #show: ShowView;
+  /** The next click says what is to be in focus. */
+  #pickingFocus = false;
+  #reading = false;
   /** The scene or its place on the screen has changed since it was drawn. */
   #stale = true;
   #counts: SceneCounts = { vertices: 0, triangles: 0 };
@@ -71,7 +77,8 @@ export class Viewport {
     this.#camera = createCameraControl(mirror.camera, canvas, session.store, () => this.#redraw());
     this.#camera.follow(session.store.document);
     this.#tracingView = createPathTracingView(session, this.tracing, () => this.#readPair());
-    canvas.after(this.#tracingView.element);
+    this.#show = createShowView(session);
+    canvas.after(this.#tracingView.element, this.#show.element);
 
     session.store.subscribe(({ document, previous, reason }) => {
       if (reason === 'open') options.renderer.cut();
@@ -153,6 +160,35 @@ export class Viewport {
     const canvas = h('canvas', { width, height });
     canvas.getContext('2d')?.putImageData(new ImageData(Uint8ClampedArray.from(pixels), width, height), 0, 0);
     return pngOf(canvas);
+  }
+
+  /** The next click on the picture sets the distance that is in focus; Escape lets it be. */
+  pickFocus(): void {
+    this.#setPicking(!this.#pickingFocus);
+  }
+
+  #setPicking(on: boolean): void {
+    this.#pickingFocus = on;
+    this.#options.canvas.classList.toggle('picking-focus', on);
+  }
+
+  #focusAt(x: number, y: number): void {
+    const { mirror, session } = this.#options;
+    this.#setPicking(false);
+    const found = pickDistance(mirror, x, y);
+    if (found === null) {
+      toast('info', 'Nothing is there to focus on', 'The distance that is in focus is as it was.');
+      return;
+    }
+    const { store } = session;
+    const name = store.document.objects[found.id]?.name ?? 'the picture';
+    attempt('The focus stays as it was', () =>
+      store.edit(`Focus the lens on ${name}`, (draft) => {
+        draft.camera.focusDistance = Number(found.distance.toPrecision(6));
+      }),
+    );
+    if (store.document.camera.fStop === 0)
+      toast('info', 'All is in focus', 'The camera is a pinhole: its f-number is 0.');
   }
 
   #follow(document: Document, previous: Document): void {
@@ -247,6 +283,7 @@ export class Viewport {
     if (isCovered(this.#options.session.state.value) && waiting.length === 0) return;
     this.#submit();
     this.#drawOverlay();
+    this.#show.update(this.#options.renderer.exposure(this.#options.session.store.document.view));
     if (this.#wantsMore()) this.#loop.request();
     await gpuFinished(this.#options.renderer);
     for (const resolve of waiting) resolve();
@@ -258,6 +295,22 @@ export class Viewport {
     // What is not seen is not drawn, and so it does not become better.
     const isSeen = renderer.companion === null || session.state.value.rendering !== 'traced';
     return renderer.adapting || (isSeen && renderer.unsettled);
+  }
+
+  /** Says what the pixel under the pointer holds, where data are shown. */
+  async #read({ clientX, clientY, buttons }: PointerEvent): Promise<void> {
+    const { canvas, renderer, session } = this.#options;
+    if (this.#reading || buttons !== 0 || session.state.value.rendering !== 'interactive') return;
+    if (session.store.document.view.show === 'picture') return;
+    const box = canvas.getBoundingClientRect();
+    this.#reading = true;
+    try {
+      this.#show.read(
+        await renderer.readPixel((clientX - box.left) / box.width, (clientY - box.top) / box.height),
+      );
+    } finally {
+      this.#reading = false;
+    }
   }
 
   #drawOverlay(): void {
@@ -296,12 +349,28 @@ export class Viewport {
       const box = canvas.getBoundingClientRect();
       const x = event.clientX - box.left;
       const y = event.clientY - box.top;
+      if (this.#pickingFocus) {
+        this.#focusAt((x / box.width) * 2 - 1, 1 - (y / box.height) * 2);
+        return;
+      }
       const light = this.#overlay.lightAt(x, y);
       const object = light ? null : pickObject(mirror, (x / box.width) * 2 - 1, 1 - (y / box.height) * 2);
       if (light) session.state.select({ kind: 'lights', id: light });
       else session.state.select(object ? { kind: 'objects', id: object } : null);
     });
     canvas.addEventListener('dblclick', () => this.focusSelection());
+    window.addEventListener(
+      'keydown',
+      (event) => {
+        if (event.key !== 'Escape' || !this.#pickingFocus) return;
+        // What is selected stays so.
+        event.stopPropagation();
+        this.#setPicking(false);
+      },
+      { capture: true },
+    );
+    canvas.addEventListener('pointermove', (event) => void this.#read(event));
+    canvas.addEventListener('pointerleave', () => this.#show.read(null));
   }
 }
 

@@ -142,6 +142,7 @@ const ABBREVIATIONS: Readonly<Record<string, string>> = {
   agx: 'AgX',
   srgb: 'sRGB',
   fov: 'Field of view',
+  iso: 'ISO',
   fStop: 'f-number',
   uv: 'UV set',
 };

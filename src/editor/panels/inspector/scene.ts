@@ -23,6 +23,7 @@ import type { Session } from '../../session.ts';
 import { h } from '../../ui/dom.ts';
 import { row, selectField } from '../../ui/fields.ts';
 import { section } from '../../ui/section.ts';
+import { cameraFields } from './camera.ts';
 import { pathCell, tryEdit } from './cell.ts';
 import { type Bound, choiceLabel, labelOf, shapeFields } from './field.ts';
 import type { InspectorPanel } from './panel.ts';
@@ -55,6 +56,19 @@ export function scenePanel(session: Session): InspectorPanel {
   const fold = (title: string, ...children: Node[]) =>
     section(title, state.value.folded.includes(title), (folded) => state.fold(title, folded), ...children);
 
+  /** The angle is what is kept; photographers know it as the length of a lens before a sensor. */
+  const cameraRows = () => {
+    const rows = part('camera', pose, cameraDefaults);
+    const own = cameraFields(session);
+    bound.push(...own);
+    const [length, exposure, focus] = [own[0].element, own[1].element, own[2].element];
+    const place = (name: string) => rows.findIndex((element) => element.dataset.label === labelOf(name));
+    rows.splice(place('focusDistance') + 1, 0, focus);
+    rows.splice(place('iso') + 1, 0, exposure);
+    rows.splice(place('fov') + 1, 0, length);
+    return rows;
+  };
+
   const description = h('p', { class: 'hint scene-description' });
   const { source } = store.document.environment;
   const background = store.document.background;
@@ -81,7 +95,7 @@ export function scenePanel(session: Session): InspectorPanel {
           background.type === 'color' ? backgroundDefault : { blur: 0 },
         ),
       ),
-      fold('Camera', ...part('camera', pose, cameraDefaults)),
+      fold('Camera', ...cameraRows()),
       fold('Fog', ...part('fog', fogShape, fogDefaults)),
       ...effectNames.map((name) =>
         fold(labelOf(name), ...part(`effects.${name}`, effectShapes[name], effectsDefaults[name])),
