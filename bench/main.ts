@@ -48,14 +48,15 @@ async function benchLab(): Promise<void> {
 
 async function benchViews(): Promise<void> {
   console.log('\nFrames and drawings per second while a slider moves, over those of the viewport alone\n');
-  console.log('| views | viewport alone, 1/s | viewport | the slowest of the views |');
-  console.log('| --- | --- | --- | --- |');
-  for (const { views, plain, viewport, plots } of await measureViews(DRAG_MS)) {
+  console.log(
+    '| views | viewport alone, 1/s | viewport | the slowest of the views | main thread, ms a step |',
+  );
+  console.log('| --- | --- | --- | --- | --- |');
+  for (const { views, plain, viewport, plots, busy } of await measureViews(DRAG_MS)) {
     const ratio = (rate: number) => (rate / plain).toFixed(2);
     const covered = viewport === 0 ? '-' : ratio(viewport);
-    console.log(
-      `| ${[views.join(', '), plain.toFixed(1), covered, ratio(Math.min(...plots))].join(' | ')} |`,
-    );
+    const cells = [views.join(', '), plain.toFixed(1), covered, ratio(Math.min(...plots)), busy.toFixed(1)];
+    console.log(`| ${cells.join(' | ')} |`);
   }
 }
 

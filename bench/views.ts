@@ -13,6 +13,8 @@ export interface ViewRates {
   readonly views: readonly BenchView[];
   /** Frames of the viewport per second; on the full page, which covers it, 0. */
   readonly viewport: number;
+  /** Of the page's main thread for one step of the slider, ms of processor time: what else the machine does is not in it. */
+  readonly busy: number;
   /** Drawings per second with something new in them, of each view. */
   readonly plots: readonly number[];
 }
@@ -65,7 +67,7 @@ declare const irradia: {
 };
 
 /** Runs on the page: moves the slider to and fro, once in every animation frame. */
-async function drag(milliseconds: number): Promise<{ viewport: number; plots: number[] }> {
+async function drag(milliseconds: number): Promise<{ steps: number; viewport: number; plots: number[] }> {
   const range = document.querySelector<HTMLInputElement>('[data-parameter=roughness] input[type=range]');
   if (!range) throw new Error('no slider for roughness');
   const nextFrame = () => new Promise(requestAnimationFrame);
@@ -82,13 +84,14 @@ async function drag(milliseconds: number): Promise<{ viewport: number; plots: nu
   drawn.viewport = 0;
   drawn.plots.clear();
   const begin = performance.now();
-  for (let i = 10; performance.now() < begin + milliseconds; i++) {
-    step(i);
+  let steps = 0;
+  for (; performance.now() < begin + milliseconds; steps++) {
+    step(10 + steps);
     await nextFrame();
   }
   const perSecond = 1000 / (performance.now() - begin);
   const plots = [...document.querySelectorAll('.bench-plot')].map((canvas) => drawn.plots.get(canvas) ?? 0);
-  return { viewport: drawn.viewport * perSecond, plots: plots.map((count) => count * perSecond) };
+  return { steps, viewport: drawn.viewport * perSecond, plots: plots.map((count) => count * perSecond) };
 }
 
 async function openPage(page: Page, url: string): Promise<void> {
@@ -105,6 +108,16 @@ async function openPage(page: Page, url: string): Promise<void> {
   });
 }
 
+/** Seconds that the page's main thread has worked so far. */
+async function processorTimeOf(page: Page): Promise<() => Promise<number>> {
+  const session = await page.context().newCDPSession(page);
+  await session.send('Performance.enable', { timeDomain: 'threadTicks' });
+  return async () => {
+    const { metrics } = await session.send('Performance.getMetrics');
+    return metrics.find(({ name }) => name === 'TaskDuration')?.value ?? 0;
+  };
+}
+
 /** @param milliseconds of each drag */
 export async function measureViews(milliseconds: number): Promise<readonly ViewRates[]> {
   const server = await startStaticServer({
@@ -117,9 +130,12 @@ export async function measureViews(milliseconds: number): Promise<readonly ViewR
     const page = await browser.newPage({ viewport: { width: 1280, height: 800 } });
     await openPage(page, `${server.url}?scene=/scene.json`);
     await page.locator('[data-entity^="materials/"]').first().click();
+    const processorTime = await processorTimeOf(page);
     const measure = async () => {
       await page.waitForTimeout(REST_MS);
-      return page.evaluate(drag, milliseconds);
+      const begin = await processorTime();
+      const { steps, ...rates } = await page.evaluate(drag, milliseconds);
+      return { ...rates, busy: (1000 * ((await processorTime()) - begin)) / steps };
     };
     const rates: ViewRates[] = [];
     let before = (await measure()).viewport;

@@ -4,7 +4,7 @@ import { substances } from '../../../analysis/substances/table.ts';
 import { h } from '../../ui/dom.ts';
 import { type Choice, row, selectField, switchField } from '../../ui/fields.ts';
 import { sliderField } from '../../ui/slider-field.ts';
-import { type BenchSettings, type BenchView, channelChoices, moving } from './settings.ts';
+import { type BenchSettings, type BenchView, channelChoices, initialSettings, moving } from './settings.ts';
 import { type ControlKey, viewInfo } from './views.ts';
 
 interface Control {
@@ -166,7 +166,8 @@ type Change = ControlActions['change'];
 
 function slider(change: Change, key: NumberKey, { tip, ...options }: SliderSettings): Control {
   const field = sliderField({ ...options, onChange: (value) => change({ [key]: value }) });
-  const element = row({ label: options.label, tip }, field.element);
+  const onReset = () => change({ [key]: initialSettings[key] });
+  const element = row({ label: options.label, tip: `${tip}\nDouble click: default`, onReset }, field.element);
   element.dataset.bench = key;
   return { element, show: (settings) => field.show(settings[key]) };
 }
