@@ -23,6 +23,7 @@ import { environmentElsewhere, openElsewhere } from './io/importer/import-job.ts
 import { type OpenContext, openAddress, openFiles } from './io/open.ts';
 import { createBench } from './panels/bench/bench.ts';
 import { openDocuments } from './panels/documents/documents.ts';
+import { exportEntries } from './panels/export/entries.ts';
 import { createInspector } from './panels/inspector/inspector.ts';
 import { createOutliner } from './panels/outliner/outliner.ts';
 import { createSourcePanel } from './panels/source/source.ts';
@@ -118,6 +119,13 @@ document.getElementById('app')?.replaceChildren(
     openShipped,
     screenshot,
     tracedPictures,
+    exports: () =>
+      exportEntries({
+        session,
+        mirror,
+        renderer: () => window.irradia.renderer,
+        redraw: () => window.irradia.viewport?.refresh(),
+      }),
     shippedScenes,
   }),
   h('div', { class: 'panel-left' }, outliner.element),

@@ -11,7 +11,7 @@ import { fetchFiles } from './fetch.ts';
 import type { EnvironmentData, FromImporter, ImportResult, PlacedFile, ToImporter } from './messages.ts';
 import type { Server } from './server.ts';
 
-type Job = Extract<ToImporter, { kind: 'import' | 'unzip' | 'fetch' | 'environment' }>;
+type Job = Extract<ToImporter, { kind: 'import' | 'unzip' | 'fetch' | 'environment' | 'export' }>;
 type Post = (message: FromImporter, transfer?: Transferable[]) => void;
 export type Progress = (text: string, fraction: number | null) => void;
 
@@ -41,7 +41,14 @@ async function resultOf(job: Job, server: Server, progress: Progress): Promise<I
     case 'import':
       return read(job.main, job.others, server, progress);
     case 'fetch':
-      return { kind: 'files', files: await fetchFiles(job.url, progress) };
+      return { kind: 'files', files: await fetchFiles(job.url, progress), notes: [] };
+    case 'export': {
+      const { exportGltf } = await import('../../../io/gltf-export.ts');
+      const { bytes, notes } = await exportGltf(job.document, server.assets, (fraction) =>
+        progress('Exporting the scene', fraction),
+      );
+      return { kind: 'files', files: [{ path: 'scene.glb', bytes }], notes };
+    }
     case 'environment': {
       const { image, format, type, colorSpace, flipY } = await server.assets.environment(job.asset);
       const data = image.data as unknown as EnvironmentData['data'];
@@ -60,7 +67,7 @@ async function resultOf(job: Job, server: Server, progress: Progress): Promise<I
             ? (content as Uint8Array<ArrayBuffer>)
             : content.slice(),
       }));
-      return { kind: 'files', files };
+      return { kind: 'files', files, notes: [] };
     }
   }
 }

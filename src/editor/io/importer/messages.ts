@@ -15,6 +15,8 @@ export type ToImporter =
   | { readonly kind: 'unzip'; readonly archive: PlacedFile }
   | { readonly kind: 'fetch'; readonly url: string }
   | { readonly kind: 'environment'; readonly asset: Asset }
+  /** Makes a GLB of a document. */
+  | { readonly kind: 'export'; readonly document: Document }
   /** Opens a glTF asset of a document, for what follows. */
   | { readonly kind: 'open'; readonly asset: Asset }
   | { readonly kind: 'geometry'; readonly ticket: number; readonly node: number; readonly primitive: number }
@@ -25,7 +27,12 @@ export type ImportResult =
   | { readonly kind: 'document'; readonly document: Document }
   | { readonly kind: 'material'; readonly material: MaterialFile }
   | { readonly kind: 'environment'; readonly environment: EnvironmentData }
-  | { readonly kind: 'files'; readonly files: readonly { path: string; bytes: Uint8Array<ArrayBuffer> }[] };
+  | {
+      readonly kind: 'files';
+      readonly files: readonly { path: string; bytes: Uint8Array<ArrayBuffer> }[];
+      /** What could not be kept. */
+      readonly notes: readonly string[];
+    };
 
 /** What a data texture is made of; the numbers of type, format and filters are three.js's. */
 export interface EnvironmentData {

@@ -22,6 +22,7 @@ export interface TopbarActions {
   screenshot(): void;
   /** More pictures that can be saved; none while there is only the one that is shown. */
   tracedPictures(): MenuEntry[];
+  exports(): MenuEntry[];
   shippedScenes: readonly { name: string; title: string }[];
 }
 
@@ -110,7 +111,7 @@ function fileEntries(session: Session, actions: TopbarActions): MenuEntry[] {
       label: 'Open…',
       icon: 'folder',
       shortcut: 'Ctrl+O',
-      tip: 'A scene, glTF, .brdf, measured BRDF, HDR, EXR or image',
+      tip: 'A scene, model, archive, .brdf, measured BRDF, HDR, EXR or image',
       run: actions.open,
     },
     {
@@ -130,6 +131,7 @@ function fileEntries(session: Session, actions: TopbarActions): MenuEntry[] {
     },
     screenshotEntry(actions),
     ...actions.tracedPictures(),
+    ...actions.exports(),
     'separator',
     { heading: 'Scenes' },
     ...actions.shippedScenes.map(

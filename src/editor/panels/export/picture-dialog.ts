@@ -1,0 +1,165 @@
+/** The dialog that asks how large a picture shall be, shows how far it is, and hands it over. */
+import { download, fileNameOf } from '../../io/files.ts';
+import { h } from '../../ui/dom.ts';
+import { row, selectField } from '../../ui/fields.ts';
+import { numberField } from '../../ui/number-field.ts';
+import { toast, toastError } from '../../ui/toast.ts';
+import { makePicture, type PictureContext, type PictureRequest } from './picture.ts';
+import type { PictureFormat } from './picture-messages.ts';
+import { MOST_TRACED_PIXELS } from './traced.ts';
+
+/** The most a canvas and a texture of any browser in use take. */
+const LARGEST_SIDE = 16_384;
+
+const SIZES = [
+  { value: '1', label: 'As the viewport' },
+  { value: '2', label: 'Twice the viewport' },
+  { value: '4', label: 'Four times the viewport' },
+  { value: '1920x1080', label: '1920 × 1080, full HD' },
+  { value: '3840x2160', label: '3840 × 2160, 4K' },
+  { value: '7680x4320', label: '7680 × 4320, 8K' },
+  { value: 'own', label: 'Of your own' },
+];
+
+export function openPictureDialog(context: PictureContext): void {
+  const { document: scene, renderer } = context;
+  const { width, height } = renderer.canvas;
+  const request: { -readonly [K in keyof PictureRequest]: PictureRequest[K] } = {
+    source: 'interactive',
+    format: 'png',
+    width,
+    height,
+    samples: scene.pathTracing.samples,
+  };
+  let running: AbortController | null = null;
+
+  const side = (label: 'Width' | 'Height') => {
+    const key = label === 'Width' ? 'width' : 'height';
+    const field = numberField({
+      label,
+      min: 1,
+      max: LARGEST_SIDE,
+      step: 1,
+      integer: true,
+      onChange(value) {
+        request[key] = value;
+        size.show('own');
+        update();
+      },
+    });
+    return field;
+  };
+  const [widthField, heightField] = [side('Width'), side('Height')];
+  const size = selectField('Size', SIZES, (value) => {
+    const [w, h] = value.split('x').map(Number);
+    if (value !== 'own') {
+      request.width = h ? (w as number) : width * Number(value);
+      request.height = h ?? height * Number(value);
+    }
+    update();
+  });
+  const source = selectField(
+    'Picture',
+    [
+      { value: 'interactive', label: 'Interactive' },
+      { value: 'traced', label: 'Path traced' },
+    ],
+    (value) => {
+      request.source = value as PictureRequest['source'];
+      update();
+    },
+  );
+  const samples = numberField({
+    label: 'Samples',
+    min: 1,
+    max: 65_536,
+    step: 1,
+    integer: true,
+    onChange: (value) => {
+      request.samples = value;
+    },
+  });
+  const format = selectField(
+    'Format',
+    [
+      { value: 'png', label: 'PNG, as the screen shows it' },
+      { value: 'jpg', label: 'JPEG, as the screen shows it' },
+      { value: 'exr', label: 'EXR, linear radiance' },
+    ],
+    (value) => {
+      request.format = value as PictureFormat;
+    },
+  );
+  const samplesRow = row({ label: 'Samples', tip: 'Paths per pixel' }, samples.element);
+  const status = h('p', { class: 'hint', role: 'status' });
+  const bar = h('progress', { max: 1, value: 0, 'aria-label': 'Export', hidden: true });
+  const start = h('button', { type: 'submit', class: 'text-button primary' }, 'Export');
+  const cancel = h('button', { type: 'button', class: 'text-button' }, 'Cancel');
+  const form = h(
+    'form',
+    { method: 'dialog' },
+    h('h1', {}, 'Export a picture'),
+    row({ label: 'Picture', tip: 'Which of the two renderers draws it' }, source.element),
+    row({ label: 'Size', tip: 'In pixels' }, size.element),
+    row({ label: 'Width', tip: 'Pixels' }, widthField.element),
+    row({ label: 'Height', tip: 'Pixels' }, heightField.element),
+    samplesRow,
+    row(
+      { label: 'Format', tip: 'EXR has the linear radiance before exposure and tone mapping' },
+      format.element,
+    ),
+    status,
+    bar,
+    h('div', { class: 'popup-actions' }, cancel, start),
+  );
+  const dialog = h('dialog', { class: 'confirm export-picture' }, form);
+
+  const update = () => {
+    widthField.show(request.width);
+    heightField.show(request.height);
+    samples.show(request.samples);
+    samplesRow.hidden = request.source !== 'traced';
+    const tooLarge = request.source === 'traced' && request.width * request.height > MOST_TRACED_PIXELS;
+    start.disabled = tooLarge;
+    status.textContent = tooLarge
+      ? 'A film of so many pixels does not fit into a page’s memory; `irradia render --size` has no such bound.'
+      : `${((request.width * request.height) / 1e6).toFixed(1)} megapixels`;
+  };
+  const run = async () => {
+    running = new AbortController();
+    const fields = form.querySelectorAll<HTMLInputElement>('select, input');
+    for (const field of fields) field.disabled = true;
+    start.disabled = true;
+    bar.hidden = false;
+    try {
+      const file = await makePicture(context, request, running.signal, (text, fraction) => {
+        bar.value = fraction;
+        status.textContent = `${text} ${Math.floor(fraction * 100)} %`;
+      });
+      const name = `${fileNameOf(scene.name)}-${request.width}x${request.height}.${request.format}`;
+      download(name, file);
+      toast('success', `Exported ${name}`);
+      dialog.close();
+    } catch (error) {
+      if (!running?.signal.aborted) toastError('The picture was not exported', error);
+      for (const field of fields) field.disabled = false;
+      bar.hidden = true;
+      update();
+    } finally {
+      running = null;
+    }
+  };
+  form.addEventListener('submit', (event) => {
+    event.preventDefault();
+    if (running === null) void run();
+  });
+  cancel.addEventListener('click', () => dialog.close());
+  dialog.addEventListener('close', () => {
+    running?.abort();
+    dialog.remove();
+  });
+  document.body.append(dialog);
+  update();
+  dialog.showModal();
+  start.focus();
+}
