@@ -176,7 +176,7 @@ export const effectsSchema = z.strictObject(effectSchemas);
 export type Effects = z.output<typeof effectsSchema>;
 
 export const effectsDefaults: Readonly<Effects> = {
-  shadows: { enabled: true, resolution: 1024, samples: 32, cascades: 3, maxDistance: 100 },
+  shadows: { enabled: false, resolution: 1024, samples: 32, cascades: 3, maxDistance: 100 },
   ambientOcclusion: {
     enabled: false,
     radius: 1,

@@ -1,6 +1,7 @@
 import { existsSync } from 'node:fs';
 import { modelSources, shippedModels } from '../../../models/index.ts';
 import { sceneNames } from '../../../scenes/index.ts';
+import { presetNames, withPreset } from '../../scene/effect-presets.ts';
 import { isMeasuredFile, measuredAsset } from '../../scene/measured.ts';
 import type { Document } from '../../scene/schema.ts';
 import { pathTracingDefaults } from '../../scene/stage-schema.ts';
@@ -10,7 +11,14 @@ import { modelArgument, modelFiles } from '../model-argument.ts';
 import { modelFileKinds } from '../model-file-kinds.ts';
 import { PREVIEW_SAMPLES, previewDocument } from '../preview.ts';
 import { say } from '../render/messages.ts';
-import { AOVS, completed, DEFAULTS, parseRenderOptions, renderOptions } from '../render/options.ts';
+import {
+  AOVS,
+  completed,
+  DEFAULTS,
+  parseRenderOptions,
+  type RenderOptions,
+  renderOptions,
+} from '../render/options.ts';
 import { checkWritable } from '../render/save.ts';
 import { sceneArgument } from '../scene-argument.ts';
 
@@ -28,6 +36,7 @@ const command: Command = {
     '  --renderer pathtracer (the default) or realtime, which draws as the lab does while the camera moves',
     '  --device   auto: a GPU if there is one, else the CPU (the default); gpu; software: the CPU. The realtime',
     '             renderer has a software GPU for the CPU',
+    `  --preset   of the realtime renderer's effects: ${presetNames.join(', ')}; otherwise the document's own`,
     '',
     'The path tracer ends by one of these; Ctrl+C ends it before, and what there is is written. Without one of them',
     "each pixel gets the document's pathTracing.samples, of which a new scene has " +
@@ -64,11 +73,14 @@ const command: Command = {
     // three.js is loaded only now that the call is known to be right.
     return options.renderer === 'pathtracer'
       ? (await import('../render/path-traced.ts')).pathTraced(document, options)
-      : (await import('../render/realtime.ts')).realtime(document, options);
+      : (await import('../render/realtime.ts')).realtime(withOptions(document, options), options);
   },
 };
 
 export default command;
+
+const withOptions = (document: Document, { preset }: RenderOptions): Document =>
+  preset === null ? document : { ...document, effects: withPreset(document.effects, preset) };
 
 /** A scene comes before a model of the same name; a file's ending tells which of the two it is. */
 async function documentFor(word: string): Promise<Document> {

@@ -2,6 +2,7 @@
 import { totalmem } from 'node:os';
 import { extname } from 'node:path';
 import { parseRange, RANGE_LIMIT, type Range } from '../../pathtracer/ranges.ts';
+import { type PresetName, presetNames } from '../../scene/effect-presets.ts';
 import type { PathTracing } from '../../scene/schema.ts';
 import { type Call, type Command, UsageError } from '../command.ts';
 import type { DeviceChoice } from '../gpu.ts';
@@ -27,6 +28,7 @@ export const renderOptions: Command['options'] = {
   renderer: { type: 'string', default: 'pathtracer' },
   size: { type: 'string', default: DEFAULTS.size },
   device: { type: 'string', default: 'auto' },
+  preset: { type: 'string' },
   spp: { type: 'string' },
   time: { type: 'string' },
   error: { type: 'string' },
@@ -57,6 +59,8 @@ export interface RenderOptions {
   readonly denoise: boolean;
   readonly aovs: readonly Aov[];
   readonly animation: Animation | null;
+  /** Of the effects; null leaves the document's. */
+  readonly preset: PresetName | null;
 }
 
 /** What a call says: null where the document is to say it. */
@@ -99,6 +103,7 @@ export function parseRenderOptions(options: Call['options']): RenderRequest {
   if (!isOneOf(RENDERERS, renderer))
     throw new UsageError(`--renderer ${renderer}: expected ${RENDERERS.join(' or ')}`);
   if (!isOneOf(DEVICES, device)) throw new UsageError(`--device ${device}: expected ${DEVICES.join(', ')}`);
+  if (renderer === 'pathtracer') refuse(words, ['preset'], '--renderer realtime');
   if (renderer === 'realtime') refuse(words, PATH_TRACER_ONLY, '--renderer pathtracer');
   if (words.frames === undefined) refuse(words, ['fps', 'turntable'], '--frames A:B');
   return {
@@ -114,6 +119,7 @@ export function parseRenderOptions(options: Call['options']): RenderRequest {
     denoise: options.denoise === true,
     aovs: parseAovs(words.aov, format),
     animation: parseAnimation(words),
+    preset: parsePreset(words.preset),
   };
 }
 
@@ -189,6 +195,13 @@ function parseAovs(text: string | undefined, format: 'png' | 'exr'): Aov[] {
   const wrong = names.find((name) => !isOneOf(AOVS, name));
   if (wrong !== undefined) throw new UsageError(`--aov ${text}: expected some of ${AOVS.join(',')}`);
   return AOVS.filter((aov) => names.includes(aov));
+}
+
+function parsePreset(word: string | undefined): PresetName | null {
+  if (word === undefined) return null;
+  if (!isOneOf(presetNames, word))
+    throw new UsageError(`--preset ${word}: expected ${presetNames.join(', ')}`);
+  return word;
 }
 
 function parseAnimation(words: Words): Animation | null {

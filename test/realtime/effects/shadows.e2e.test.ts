@@ -44,7 +44,7 @@ const document = {
       height: 0.4,
     },
   },
-  effects: { shadows: { resolution: 128, samples: 16, cascades: 2 } },
+  effects: { shadows: { enabled: true, resolution: 128, samples: 16, cascades: 2 } },
 };
 
 test('shadows are the same on WebGPU and on WebGL 2', async () => {

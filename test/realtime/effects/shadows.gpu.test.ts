@@ -8,7 +8,7 @@ import { frameMaker, type Picture } from './frames.ts';
 const [WIDTH, HEIGHT] = [60, 40];
 const maker = await frameMaker({ width: WIDTH, height: HEIGHT });
 
-const settings = { shadows: { resolution: 256, samples: 32 } };
+const settings = { shadows: { enabled: true, resolution: 256, samples: 32 } };
 const off = { shadows: { enabled: false } };
 
 const lights = {
@@ -236,7 +236,7 @@ describe('maps', () => {
         materials,
         lights: { light: { ...lights.sun, angularDiameter: 0 } },
         // As many samples as leave no noise, which does move with the camera.
-        effects: { shadows: { resolution: 64, samples: 128, cascades: 2 } },
+        effects: { shadows: { enabled: true, resolution: 64, samples: 128, cascades: 2 } },
       });
     const [a, b] = [grey(await maker.draw(above(0))), grey(await maker.draw(above(1)))];
     const lit = Math.max(...a);

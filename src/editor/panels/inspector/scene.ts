@@ -27,6 +27,7 @@ import { cameraFields } from './camera.ts';
 import { pathCell, tryEdit } from './cell.ts';
 import { type Bound, choiceLabel, labelOf, shapeFields } from './field.ts';
 import type { InspectorPanel } from './panel.ts';
+import { presetChoice } from './preset.ts';
 
 export function sceneStructure(document: Document): string {
   return `${document.environment.source.type} ${document.background.type}`;
@@ -97,6 +98,7 @@ export function scenePanel(session: Session): InspectorPanel {
       ),
       fold('Camera', ...cameraRows()),
       fold('Fog', ...part('fog', fogShape, fogDefaults)),
+      fold('Effects', single(presetChoice(session))),
       ...effectNames.map((name) =>
         fold(labelOf(name), ...part(`effects.${name}`, effectShapes[name], effectsDefaults[name])),
       ),

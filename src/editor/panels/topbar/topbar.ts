@@ -12,6 +12,7 @@ import { type IconName, icon, isIcon } from '../../ui/icons.ts';
 import { type MenuEntry, menuButton, openMenu } from '../../ui/menu.ts';
 import { openDocuments } from '../documents/documents.ts';
 import { createTitle } from '../documents/title.ts';
+import { presetEntries } from '../inspector/preset.ts';
 import { selectionEntries } from '../selection-menu.ts';
 import { createTermSelect } from './term-select.ts';
 
@@ -155,6 +156,9 @@ function editEntries(session: Session): MenuEntry[] {
     },
     'separator',
     ...selectionEntries(session),
+    'separator',
+    { heading: 'Preset of the effects' },
+    ...presetEntries(session),
     'separator',
     {
       label: 'Remove unused materials and files',
