@@ -19,6 +19,7 @@ import {
   readRow,
   repeat,
   searchSamples,
+  texelAt,
   type Vec2,
   type Vec3,
   type Vec4,
@@ -67,7 +68,12 @@ function situation(
 }
 
 /** What a map has in a direction. @param jitter in texels */
-function look(maps: Maps, { read, reach }: Situation, d: Vec3, jitter: Vec2): Found {
+export function look(
+  maps: Maps,
+  { read, reach }: Pick<Situation, 'read' | 'reach'>,
+  d: Vec3,
+  jitter: Vec2,
+): Found {
   const a = d.abs().toVar() as Vec3;
   // The face of the cube, as in FACES, and the two other components.
   const map = int(0).toVar();
@@ -94,14 +100,13 @@ function look(maps: Maps, { read, reach }: Situation, d: Vec3, jitter: Vec2): Fo
   const at = vec2(
     pair.x.div(major.negate()).mul(place.x).add(place.y),
     pair.y.div(size).mul(place.z).add(place.w),
-  )
-    .add(jitter)
-    .toVar() as unknown as Vec2;
-  const found = fetch(maps, at, bounds).toVar();
+  ).toVar() as unknown as Vec2;
+  const texel = texelAt(at, jitter, bounds);
+  const found = fetch(maps, texel);
   // Back from the texel's middle.
   const side = major.lessThan(0).select(float(-1), float(1)).toVar();
-  const u = at.x.floor().add(0.5).sub(place.y).div(place.x).mul(side).negate();
-  const v = at.y.floor().add(0.5).sub(place.w).div(place.z);
+  const u = texel.x.add(0.5).sub(place.y).div(place.x).mul(side).negate();
+  const v = texel.y.add(0.5).sub(place.w).div(place.z);
   const other = vec2(u, v).toVar();
   const direction = vec3(other, side).toVar();
   If(map.greaterThan(3), () => {

@@ -49,16 +49,23 @@ export function discPoint(i: Float, n: Float, turn: Float): Vec2 {
   return vec2(angle.cos(), angle.sin()).mul(radius) as unknown as Vec2;
 }
 
-/** A texel's distance; far away outside the map. @param at in texels of the atlas */
-export function fetch({ atlas }: Maps, at: Vec2, bounds: Vec4): Float {
+/**
+ * The texel that is looked at, in texels of the atlas; x is negative outside the map. @param jitter goes no farther than its edge
+ */
+export function texelAt(at: Vec2, jitter: Vec2, bounds: Vec4): Vec2 {
   const inside = at.x
     .greaterThanEqual(bounds.x)
     .and(at.x.lessThan(bounds.z))
     .and(at.y.greaterThanEqual(bounds.y))
     .and(at.y.lessThan(bounds.w));
-  const texel = ivec2(int(at.x.max(0)), int(at.y.max(0)));
-  const distance = atlas.load(texel) as unknown as Vec4;
-  return inside.select(distance.x, float(NOTHING)) as unknown as Float;
+  const moved = at.add(jitter).clamp(bounds.xy, bounds.zw.sub(0.5)).floor();
+  return inside.select(moved, vec2(-1)).toVar() as unknown as Vec2;
+}
+
+/** A texel's distance; far away outside the map. */
+export function fetch({ atlas }: Maps, texel: Vec2): Float {
+  const distance = atlas.load(ivec2(int(texel.x.max(0)), int(texel.y.max(0)))) as unknown as Vec4;
+  return texel.x.lessThan(0).select(float(NOTHING), distance.x).toVar() as unknown as Float;
 }
 
 /** Two unit vectors orthogonal to a unit vector and to each other. */

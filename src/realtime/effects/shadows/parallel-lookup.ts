@@ -17,6 +17,7 @@ import {
   readRow,
   repeat,
   searchSamples,
+  texelAt,
   type Vec2,
   type Vec3,
   type Vec4,
@@ -62,9 +63,10 @@ export function sunFunction(maps: Maps) {
 
     /** What is at a place of the map. @param jitter in texels */
     const look = (q: Vec2, jitter: Vec2): Vec3 => {
-      const at = vec2(q.x.mul(place.x).add(place.y), q.y.mul(place.z).add(place.w)).add(jitter).toVar();
-      const distance = fetch(maps, at as unknown as Vec2, bounds);
-      const middle = at.floor().add(0.5);
+      const at = vec2(q.x.mul(place.x).add(place.y), q.y.mul(place.z).add(place.w)).toVar();
+      const found = texelAt(at as unknown as Vec2, jitter, bounds);
+      const distance = fetch(maps, found);
+      const middle = found.add(0.5);
       return vec3(
         middle.x.sub(place.y).div(place.x),
         middle.y.sub(place.w).div(place.z),
