@@ -3,6 +3,7 @@ import {
   type BufferGeometry,
   Color,
   Euler,
+  LightingNode,
   type Node,
   type NodeBuilder,
   NodeMaterial,
@@ -23,11 +24,19 @@ import type { Model } from '../glsl/model.ts';
 import { shaderPrefix } from '../glsl/shader-text.ts';
 import { AlbedoTable, alwaysRefreshed } from './albedo-table.ts';
 import { EnvironmentLightNode } from './environment-light.ts';
+import { frameContext, frameContextKeys } from './frame-context.ts';
 import { highlightAlpha } from './generic-sampler.ts';
 import { turnTangentWithInstance } from './instance-tangent.ts';
 import { BrdfLightingModel } from './lighting-model.ts';
 import { type Channel, derivedNodes, type ParameterMap, parameterNodes } from './parameter-nodes.ts';
 import { dependsOnTangent, turnsWithTangent } from './tangent-dependence.ts';
+
+/** What else is near lights the surface, even where there are no lamps: three.js must ask the lighting model. */
+class NearLightNode extends LightingNode {
+  static get type(): string {
+    return 'NearLightNode';
+  }
+}
 
 /**
  * A three.js material made from any model. It runs under WebGPURenderer, on WebGPU and on WebGL 2.
@@ -236,12 +245,8 @@ export class BrdfMaterial extends NodeMaterial {
     if (Object.keys(this.maps).length > 0 || this.setupEnvironment(builder) !== null) return false;
     const { context } = builder as unknown as { context: Record<string, unknown> };
     // As three.js' own observer asks, but for the colour that the constructor set.
-    if (
-      ['modelViewMatrix', 'modelNormalViewMatrix', 'getAO', 'getShadow', 'getGI', 'openSky', 'contactShadow'].some(
-        (name) => context[name],
-      )
-    )
-      return false;
+    const hooks = ['modelViewMatrix', 'modelNormalViewMatrix', 'getAO', 'getShadow', 'getGI'];
+    if ([...hooks, ...frameContextKeys].some((name) => context[name])) return false;
     return Object.entries(this).every(
       ([name, value]) =>
         !(value as { isNode?: boolean } | null)?.isNode || (name === 'colorNode' && value === this.white),
@@ -264,6 +269,8 @@ export class BrdfMaterial extends NodeMaterial {
     const environment = lightings.find((node) => node instanceof EnvironmentLightNode);
     (builder.context as { brdfEnvironment?: EnvironmentLightNode }).brdfEnvironment =
       environment as EnvironmentLightNode;
+    const { tracedLight, rayTracer } = frameContext(builder);
+    if (tracedLight || rayTracer) lightings.push(new NearLightNode());
     return lightings;
   }
 

@@ -17,12 +17,57 @@ export interface OpenSky {
   readonly bounces: Float;
 }
 
+/** What a ray through the picture found; to be read where it was traced. */
+export interface TracedRay {
+  readonly radiance: Vec3;
+  /** 0..1: how much of what the ray would find otherwise this stands for; 0 where it found nothing. */
+  readonly share: Float;
+  /** How wide the found is blurred by the lobe, in texels. */
+  readonly spread: Float;
+}
+
+/** Told instead of all else in a pass of its own, in which materials trace rays and are not lit. */
+export interface RayTracer {
+  /** Rays per fragment. */
+  readonly rays: Float;
+  /** Whether highlights, and whether wide lobes are traced. */
+  readonly reflections: boolean;
+  readonly indirectLight: boolean;
+  /** 0..1 each, another for every fragment and frame: what the set of directions is shifted by. */
+  shift(): Node<'vec2'>;
+  /**
+   * @param L from the fragment, in view space
+   * @param density of the model's sampler there, in 1/sr
+   * @param part how much it belongs to a highlight
+   */
+  trace(L: Vec3, density: Float, part: Float): TracedRay;
+  /** The mean over the rays, by the model's weights: found radiance less that of far light from the same directions. */
+  write(wide: Vec3, sharp: Vec3, spread: Float): void;
+}
+
+/** What rays have found, once for each pixel. */
+export interface TracedLight {
+  readonly reflections: boolean;
+  readonly indirectLight: boolean;
+  /** Mean incident radiance, as the fragment's model weighs it, less that of far light in the same directions. */
+  incident(): Vec3;
+}
+
 export type FrameContext = {
   /** Ambient occlusion, at the fragment that is shaded; in the fragment's own code, at its top level. */
   readonly openSky?: () => OpenSky;
   /** The part of a lamp's light that is not kept off close to the fragment. @param L to the lamp, in view space */
   readonly contactShadow?: (L: Vec3) => Float;
+  readonly tracedLight?: TracedLight;
+  readonly rayTracer?: RayTracer;
 };
+
+export const frameContextKeys = [
+  'openSky',
+  'contactShadow',
+  'tracedLight',
+  'rayTracer',
+] as const satisfies readonly (keyof FrameContext)[];
 
 /** What opaque materials are told. Behind what is transparent lies another surface: what is known of the pixel is that one's. */
 export function frameContext(builder: NodeBuilder): FrameContext {

@@ -55,13 +55,17 @@ export function lightFromEverywhere(
   { frame, sampler, hasTable, f }: Reflector,
   environment: EnvironmentLightNode | null,
   ambient: Vec3 | null,
-  { openSky }: FrameContext,
+  { openSky, tracedLight }: FrameContext,
 ): Vec3 {
   const { V, N, X, Y } = frame;
-  const albedo = hasTable ? (new AlbedoNode(dot(N, V) as Float) as unknown as Vec3) : null;
-  if (albedo && !environment && !openSky) return albedo.mul(ambient ?? vec3(0)) as Vec3;
+  const isFar = environment !== null || ambient !== null;
+  const traced = tracedLight?.incident() ?? vec3(0);
+  const albedo = hasTable ? albedoOf(frame) : null;
+  // Where rays are traced, they have found what is in the way.
+  const isTraced = tracedLight?.reflections && tracedLight.indirectLight;
+  const open = isFar && !isTraced ? openSky?.() : undefined;
+  if (albedo && !environment && !open) return albedo.mul(traced.add(ambient ?? vec3(0)).max(0)) as Vec3;
 
-  const open = openSky?.();
   const samples = environment || !hasTable ? environmentSamples : float(AMBIENT_SAMPLES);
   sampler.start(V, N, X, Y);
   // Of wide lobes and of highlights; without anything in the way all is in the first.
@@ -85,17 +89,24 @@ export function lightFromEverywhere(
         const incident = weight.mul(radiance).toVar() as Vec3;
         const part = sharpness(density).toVar() as Float;
         add(wide, incident.mul(part.oneMinus()) as Vec3);
-        add(sharp, incident.mul(part).mul(openTowards(open, L)) as Vec3);
+        const towards = tracedLight?.reflections ? float(1) : openTowards(open, L);
+        add(sharp, incident.mul(part).mul(towards) as Vec3);
       });
     });
   });
   const mean = albedo ? albedo.div(weights.max(1e-9)) : float(1).div(samples);
-  if (!open) return wide.mul(mean) as Vec3;
   const reflectance = albedo ?? (weights.div(samples) as Vec3);
-  return wide.mul(reaching(open, reflectance)).add(sharp).mul(mean) as Vec3;
+  const arrives = !open || tracedLight?.indirectLight ? wide : wide.mul(reaching(open, reflectance));
+  const far = arrives.add(sharp).mul(mean) as Vec3;
+  return (tracedLight ? far.add(reflectance.mul(traced)).max(0) : far) as Vec3;
 }
 
-function sumOf(a: Vec3 | undefined, b: Vec3 | null): Vec3 {
+/** R(v) from the material's table. */
+export function albedoOf({ N, V }: ShadingFrame): Vec3 {
+  return new AlbedoNode(dot(N, V) as Float) as unknown as Vec3;
+}
+
+export function sumOf(a: Vec3 | undefined, b: Vec3 | null): Vec3 {
   return (a && b ? a.add(b) : (a ?? b ?? vec3(0))) as Vec3;
 }
 

@@ -1,7 +1,14 @@
 import { cross, dot, float, If, positionView, vec2, vec3 } from 'three/tsl';
-import { type Light, LightingModel, type Node, type NodeBuilder } from 'three/webgpu';
+import {
+  type AnalyticLightNode,
+  type Light,
+  LightingModel,
+  type Node,
+  type NodeBuilder,
+} from 'three/webgpu';
 import type { Model } from '../glsl/model.ts';
 import { modelFunctionByLight, type ParameterNodes, type SplitCall } from '../glsl/tsl.ts';
+import { airTo, airToLamp } from './air.ts';
 import type { EnvironmentLightNode } from './environment-light.ts';
 import { fragmentData, wantsFragmentData } from './fragment-data.ts';
 import { frameContext } from './frame-context.ts';
@@ -11,6 +18,7 @@ import { nonNegative } from './non-negative.ts';
 import { createSampler, latticePoint, type Sampler } from './sampler.ts';
 import { type ShadingFrame, shadingFrame } from './shading-frame.ts';
 import { repeat, run } from './statements.ts';
+import { traceRays } from './traced-rays.ts';
 
 type Vec3 = Node<'vec3'>;
 type Float = Node<'float'>;
@@ -91,9 +99,10 @@ export class BrdfLightingModel extends LightingModel {
     const { lightDirection, lightColor, lightNode, reflectedLight } = data as unknown as {
       lightDirection: Vec3;
       lightColor: Vec3;
-      lightNode: { light: Light };
+      lightNode: AnalyticLightNode<Light>;
       reflectedLight: { directSpecular: Assignable };
     };
+    if (frameContext(builder).rayTracer) return;
     const { N } = this.frame as ShadingFrame;
     const L = lightDirection.toVar() as Vec3;
     const E = lightColor.toVar() as Vec3;
@@ -103,7 +112,9 @@ export class BrdfLightingModel extends LightingModel {
       const shadow = this.shadows?.lamp(lightNode.light, builder);
       const shadowed = shadow ? E.mul(shadow(this.point as ShadedPoint)) : E;
       const contact = lightNode.light.castShadow ? frameContext(builder).contactShadow?.(L) : undefined;
-      const light = contact ? shadowed.mul(contact) : shadowed;
+      const near = contact ? shadowed.mul(contact) : shadowed;
+      const air = airToLamp(builder, lightNode, L);
+      const light = air ? near.mul(air) : near;
       reflectedLight.directSpecular.addAssign(this.f(L).mul(light).mul(cosine));
       this.count();
     });
@@ -125,6 +136,7 @@ export class BrdfLightingModel extends LightingModel {
         halfHeight: Vec3;
         reflectedLight: { directSpecular: Assignable };
       };
+    if (frameContext(builder).rayTracer) return;
     const { V, N, X, Y } = this.frame as ShadingFrame;
     const { sampleL, pdf } = this.sampler;
     this.sampler.start(V, N, X, Y);
@@ -194,7 +206,8 @@ export class BrdfLightingModel extends LightingModel {
         });
       });
     });
-    reflectedLight.directSpecular.addAssign(sum.mul(lightColor));
+    const air = airTo(builder, center, center.length() as Float);
+    reflectedLight.directSpecular.addAssign(air ? sum.mul(lightColor).mul(air) : sum.mul(lightColor));
     If(sum.x.add(sum.y).add(sum.z).greaterThan(0), () => this.count());
   }
 
@@ -209,14 +222,20 @@ export class BrdfLightingModel extends LightingModel {
       reflectedLight: { indirectSpecular: Assignable };
     };
     const { environment, hasTable } = this.options;
-    const isAmbient = hasAmbient(builder);
-    if (!environment && !isAmbient) return;
-    const reflected = lightFromEverywhere(
-      { frame: this.frame as ShadingFrame, sampler: this.sampler, hasTable, f: (L) => this.f(L) },
-      environment,
-      isAmbient ? (irradiance.mul(1 / Math.PI) as Vec3) : null,
-      frameContext(builder),
-    );
+    const told = frameContext(builder);
+    const ambient = hasAmbient(builder) ? (irradiance.mul(1 / Math.PI) as Vec3) : null;
+    if (!environment && !ambient && !told.tracedLight && !told.rayTracer) return;
+    const reflector = {
+      frame: this.frame as ShadingFrame,
+      sampler: this.sampler,
+      hasTable,
+      f: (L: Vec3) => this.f(L),
+    };
+    if (told.rayTracer) {
+      traceRays(reflector, environment, ambient, told.rayTracer);
+      return;
+    }
+    const reflected = lightFromEverywhere(reflector, environment, ambient, told);
     reflectedLight.indirectSpecular.addAssign(reflected.mul(ambientOcclusion));
   }
 }
@@ -241,7 +260,7 @@ function hasAmbient(builder: NodeBuilder): boolean {
     lightsNode: { getLightNodes(builder: NodeBuilder): { light?: Light; type: string }[] };
   };
   return lightsNode.getLightNodes(builder).some(({ light, type }) => {
-    if (!light) return type !== 'AONode';
+    if (!light) return type !== 'AONode' && type !== 'NearLightNode';
     const kind = light as { isAmbientLight?: true; isHemisphereLight?: true; isLightProbe?: true };
     return kind.isAmbientLight || kind.isHemisphereLight || kind.isLightProbe;
   });

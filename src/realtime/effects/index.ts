@@ -4,17 +4,21 @@ import { ambientOcclusion } from './ambient-occlusion.ts';
 import { bloom } from './bloom.ts';
 import { contactShadows } from './contact-shadows.ts';
 import { depthOfField } from './depth-of-field/index.ts';
+import { fog } from './fog/index.ts';
 import { fxaa } from './fxaa.ts';
 import { lens } from './lens.ts';
 import { motionBlur } from './motion-blur.ts';
 import { shadows } from './shadows/index.ts';
 import { smaa } from './smaa.ts';
 import { temporal } from './temporal.ts';
+import { tracedLight } from './traced-light/index.ts';
 
 export const effects: readonly EffectDefinition[] = [
   shadows,
   ambientOcclusion,
   contactShadows,
+  tracedLight,
+  fog,
   temporal,
   depthOfField,
   motionBlur,
