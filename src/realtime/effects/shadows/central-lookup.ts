@@ -4,10 +4,10 @@ import type { Node } from 'three/webgpu';
 import {
   basis,
   discPoint,
+  distanceAt,
   dot,
   FILTER,
   type Float,
-  fetch,
   float,
   If,
   type Int,
@@ -102,7 +102,7 @@ export function look(
     pair.y.div(size).mul(place.z).add(place.w),
   ).toVar() as unknown as Vec2;
   const texel = texelAt(at, jitter, bounds);
-  const found = fetch(maps, texel);
+  const found = distanceAt(maps, texel);
   // Back from the texel's middle.
   const side = major.lessThan(0).select(float(-1), float(1)).toVar();
   const u = texel.x.add(0.5).sub(place.y).div(place.x).mul(side).negate();

@@ -62,8 +62,13 @@ export function texelAt(at: Vec2, jitter: Vec2, bounds: Vec4): Vec2 {
   return inside.select(moved, vec2(-1)).toVar() as unknown as Vec2;
 }
 
+/** What a map has at a place; far away outside it. @param at in texels of the atlas */
+export function fetch(maps: Maps, at: Vec2, bounds: Vec4): Float {
+  return distanceAt(maps, texelAt(at, vec2(0) as unknown as Vec2, bounds));
+}
+
 /** A texel's distance; far away outside the map. */
-export function fetch({ atlas }: Maps, texel: Vec2): Float {
+export function distanceAt({ atlas }: Maps, texel: Vec2): Float {
   const distance = atlas.load(ivec2(int(texel.x.max(0)), int(texel.y.max(0)))) as unknown as Vec4;
   return texel.x.lessThan(0).select(float(NOTHING), distance.x).toVar() as unknown as Float;
 }

@@ -2,10 +2,10 @@
 import { Fn } from 'three/tsl';
 import {
   discPoint,
+  distanceAt,
   dot,
   FILTER,
   type Float,
-  fetch,
   float,
   If,
   type Int,
@@ -65,7 +65,7 @@ export function sunFunction(maps: Maps) {
     const look = (q: Vec2, jitter: Vec2): Vec3 => {
       const at = vec2(q.x.mul(place.x).add(place.y), q.y.mul(place.z).add(place.w)).toVar();
       const found = texelAt(at as unknown as Vec2, jitter, bounds);
-      const distance = fetch(maps, found);
+      const distance = distanceAt(maps, found);
       const middle = found.add(0.5);
       return vec3(
         middle.x.sub(place.y).div(place.x),
