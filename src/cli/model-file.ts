@@ -6,7 +6,7 @@ import { importModel, importObjectScene } from '../io/import-model.ts';
 import { pathIn } from '../io/meshes/companions.ts';
 import { referencesOf } from '../io/meshes/references.ts';
 import { isModelFile, modelExtensions } from '../io/model-extensions.ts';
-import { modelStage } from '../io/stage.ts';
+import { lightByFile, modelStage } from '../io/stage.ts';
 import { isZip, readZip } from '../io/zip.ts';
 import { AssetLoader } from '../scene/assets.ts';
 import type { Document } from '../scene/schema.ts';
@@ -50,12 +50,10 @@ async function staged(
 }
 
 function onStage(name: string, imported: ImportedModel): SceneFile {
-  const stage = modelStage(name);
-  // A file with lights of its own is lit by them.
-  const source = imported.contents.lights.length > 0 ? { type: 'none' as const } : stage.environment.source;
-  const store = new DocumentStore({ ...stage, environment: { ...stage.environment, source } });
+  const store = new DocumentStore(modelStage(name));
   store.edit(imported.label, (draft) => {
     addImported(draft, imported);
+    lightByFile(draft, imported);
   });
   return { document: store.document, notes: imported.notes };
 }

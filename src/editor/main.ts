@@ -191,9 +191,10 @@ function addressedDocument(): Promise<Document> {
 
 /** What the page's address asks to bring into the scene. */
 async function importAddressed(): Promise<void> {
-  const address = new URLSearchParams(location.search).get('import');
+  const query = new URLSearchParams(location.search);
+  const address = query.get('import');
   if (address === null) return;
-  await openAddress(opening, address);
+  await openAddress(opening, address, { onStage: !query.has('scene') });
   // It is in the scene now: a reload must not bring it once more.
   const rest = new URL(location.href);
   rest.searchParams.delete('import');

@@ -3,14 +3,16 @@
  * named exists. What is the same object as in an already valid document is not looked at
  * again, so that an edit costs what it touched.
  */
-import type { z } from 'zod';
+import { z } from 'zod';
 import type { Parameter } from '../brdf/model.ts';
 import { type DocumentIssue, type Path, pathText, shortened } from './error.ts';
-import { materialMaps } from './material-schema.ts';
+import { id } from './fields.ts';
+import { materialMaps, modelName } from './material-schema.ts';
 import { findModel, modelFault, modelNames, modelOrigin } from './models.ts';
 import {
   type Asset,
   type Collection,
+  collectionLimits,
   collections,
   type Document,
   documentShape,
@@ -40,6 +42,18 @@ export function schemaIssues(error: z.ZodError, prefix: Path = []): DocumentIssu
     return { path: pathText(path), message: shortened(issue.message, 400) };
   });
 }
+
+/** The ids of each collection, and their number. */
+const idSchemas = Object.fromEntries(
+  collections.map((name) => [
+    name,
+    z
+      .record(name === 'models' ? modelName : id, z.null())
+      .refine((record) => Object.keys(record).length <= collectionLimits[name], {
+        message: `Too many ${name}: at most ${collectionLimits[name]}`,
+      }),
+  ]),
+) as unknown as Readonly<Record<Collection, z.ZodType>>;
 
 /** Assets that this program made: to look at each of megabytes of base64 would hold up the page. */
 const trusted = new WeakSet<object>();
@@ -71,9 +85,10 @@ function shapeIssues(document: Document, valid: Document | undefined): DocumentI
     }
     for (const [id, entity] of Object.entries(entities))
       if (entity !== before[id] && !trusted.has(entity)) check(entitySchemas[name], entity, [name, id]);
-    // Ids and their number: the entities themselves have just been seen.
+    // The entities themselves have just been seen.
     const ids = Object.keys(entities);
-    if (ids.some((id) => !Object.hasOwn(before, id))) check(documentShape[name], entities, [name]);
+    if (ids.some((id) => !Object.hasOwn(before, id)))
+      check(idSchemas[name], Object.fromEntries(ids.map((id) => [id, null])), [name]);
   }
   return issues;
 }

@@ -114,7 +114,6 @@ describe('a dropped', () => {
       ),
     ],
     ['quad.ply', ply],
-    ['quad.glb', quadGlb()],
     ['painted.glb', ktxModel()],
   ])('%s is in the scene, in one undo step', async (name, content) => {
     const { objects, vertices } = await imports([{ name, content }], `Imported ${name}`);
@@ -165,15 +164,12 @@ describe('a dropped', () => {
   });
 
   it.each([
-    ['cut.stl', new Uint8Array(120), /cut\.stl: byte 80|cut\.stl: .*no triangles/],
     ['bad.obj', 'v 1 2 3\nf 1 2 3', /bad\.obj: line 2: there is no vertex 2/],
-    ['bad.ply', ply.replace('4 0 1 2 3', '4 0 1 2 9'), /bad\.ply: triangle 1: there is no vertex 9/],
     [
       'bad.json',
       objectScene().replace('"SphereGeometry"', '"EvilGeometry"'),
       /bad\.json: geometries\[0\]: there is no EvilGeometry/,
     ],
-    ['bad.zip', 'PK but not a zip', /bad\.zip: not a zip archive/],
     ['empty.zip', zipSync({ 'a.txt': bytesOf('x') }), /nothing in it is a kind of file/],
   ])('%s that is broken says where, and changes nothing', async (name, content, message) => {
     const before = await page.document();
@@ -295,9 +291,5 @@ describe('?import=', () => {
     ).ready();
     await opened.waitForToast('quad.glb was not opened');
     expect((await opened.toasts()).join()).toContain('CORS');
-    const missing = await (await lab.open({ query: '?import=nothing.glb' })).ready();
-    await missing.waitForToast('the server answered 404');
-    const script = await (await lab.open({ query: '?import=javascript:alert(1)' })).ready();
-    await script.waitForToast('only http and https');
   });
 });

@@ -1,11 +1,12 @@
 /** Models, scenes and materials from files: read in a thread of their own, put into the scene in one undo step. */
 
+import { lightByFile } from '../../io/stage.ts';
 import { trustAsset } from '../../scene/validate.ts';
 import { startProgress, toast } from '../ui/toast.ts';
 import { pathOf } from './files.ts';
 import { type ImportJob, startJob } from './importer/import-job.ts';
 import type { ToImporter } from './importer/messages.ts';
-import type { OpenContext } from './open.ts';
+import type { OpenContext, OpenOptions } from './open.ts';
 
 type Result = Awaited<ImportJob['result']>;
 
@@ -23,7 +24,12 @@ export async function runImport(text: string, message: ToImporter): Promise<Resu
 }
 
 /** @throws ImportCancelled, or Error that says what is wrong with the file and where */
-export async function importFile(context: OpenContext, file: File, all: readonly File[]): Promise<void> {
+export async function importFile(
+  context: OpenContext,
+  file: File,
+  all: readonly File[],
+  { onStage = false }: OpenOptions,
+): Promise<void> {
   const { store, state, assets } = context;
   const placed = (one: File) => ({ path: pathOf(one), file: one });
   const { result, source } = await runImport(`Reading ${file.name}`, {
@@ -53,6 +59,7 @@ export async function importFile(context: OpenContext, file: File, all: readonly
       let ids: string[] = [];
       store.edit(imported.label, (draft) => {
         ids = addImported(draft, imported);
+        if (onStage) lightByFile(draft, imported);
       });
       // Panels that follow are work of their own: the page may draw in between.
       await new Promise((resolve) => setTimeout(resolve));

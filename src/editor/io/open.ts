@@ -30,11 +30,17 @@ const FORMATS =
 /** More models than this at once are asked about: an archive may be a whole library. */
 const MANY_MODELS = 12;
 
-/** @param as what images are for, where the person was asked for an environment */
+export interface OpenOptions {
+  /** Images are for the environment: that is what the person was asked for. */
+  readonly environment?: boolean;
+  /** The scene is the stage that was put up for what is opened. */
+  readonly onStage?: boolean;
+}
+
 export async function openFiles(
   context: OpenContext,
   given: readonly File[],
-  { environment = false } = {},
+  options: OpenOptions = {},
 ): Promise<void> {
   const files: File[] = [];
   for (const file of given)
@@ -53,18 +59,22 @@ export async function openFiles(
     const detail = 'They come with all that lies beside them. Each is an undo step of its own.';
     if (!(await confirm(`Import ${models} models?`, detail, 'Import'))) return;
   }
-  for (const file of toOpen) if (!(await openFile(context, file, files, environment))) return;
+  for (const file of toOpen) if (!(await openFile(context, file, files, options))) return;
 }
 
 /** A file, and others that it refers to, from an address. */
-export async function openAddress(context: OpenContext, address: string): Promise<void> {
+export async function openAddress(
+  context: OpenContext,
+  address: string,
+  options: OpenOptions = {},
+): Promise<void> {
   const name = address.replace(/[?#].*$/, '').replace(/^.*\//, '') || address;
   try {
     const { result } = await runImport(`Fetching ${name}`, {
       kind: 'fetch',
       url: new URL(address, location.href).href,
     });
-    if (result.kind === 'files') await openFiles(context, result.files.map(placedFile));
+    if (result.kind === 'files') await openFiles(context, result.files.map(placedFile), options);
   } catch (error) {
     if (!(error instanceof ImportCancelled))
       toastError(`${name} was not opened; the scene is unchanged`, error);
@@ -130,7 +140,7 @@ async function openFile(
   context: OpenContext,
   file: File,
   all: readonly File[],
-  environment: boolean,
+  options: OpenOptions,
 ): Promise<boolean> {
   const kind = fileKind(file.name);
   const progress = kind === 'json' || kind === 'model' ? null : startProgress(`Reading ${file.name}`);
@@ -139,7 +149,7 @@ async function openFile(
     switch (kind) {
       case 'json':
       case 'model':
-        await importFile(context, file, all);
+        await importFile(context, file, all, options);
         break;
       case 'brdf':
         await openBrdf(context, file);
@@ -154,7 +164,7 @@ async function openFile(
         await openEnvironment(context, file);
         break;
       case 'image':
-        await openImage(context, file, environment);
+        await openImage(context, file, options.environment === true);
         break;
       case 'archive':
       case 'unknown':

@@ -53,7 +53,8 @@ export function readGeometry(entry: Entry, index: number, shapes: unknown, file:
   if (indices?.some((corner) => corner >= vertices)) fail('its index names vertices that are not there');
   const corners = indices?.length ?? vertices;
   return {
-    name: entry.name ?? '',
+    // three.js's primitives rarely have names, but kinds.
+    name: entry.name || entry.type.replace(/^(Buffer)?(\w*?)(Buffer)?Geometry$/, '$2'),
     positions,
     normals: floats(geometry, 'normal', 3, vertices),
     uvs: floats(geometry, 'uv', 2, vertices),

@@ -159,6 +159,9 @@ export function openPictureDialog(context: PictureContext): void {
     dialog.remove();
   });
   document.body.append(dialog);
+  source.show(request.source);
+  format.show(request.format);
+  size.show('1');
   update();
   dialog.showModal();
   start.focus();

@@ -61,7 +61,8 @@ async function file(): Promise<Blob> {
     }));
     return new Blob([new Uint8Array(encodeExr({ width, height, channels }))], { type: 'image/x-exr' });
   }
-  const image = new ImageData(new Uint8ClampedArray(screen), width, height);
+  // Not a copy: at 8K that would be 130 MB.
+  const image = new ImageData(screen as Uint8ClampedArray<ArrayBuffer>, width, height);
   const canvas = new OffscreenCanvas(width, height);
   const context = canvas.getContext('2d', { alpha: false });
   if (context === null) {
