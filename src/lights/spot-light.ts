@@ -49,7 +49,7 @@ export function spotFactor(cosTheta: number, angle: number, exponent: number, pe
 }
 
 /** Without penumbra the edge is a step: a slope that no difference of float32 cosines but 0 survives. */
-const STEP_SLOPE = 1e30;
+export const STEP_SLOPE = 1e30;
 
 class BrdfSpotLightNode extends SpotLightNode {
   static get type(): string {

@@ -1,11 +1,5 @@
 import { cross, dot, float, If, positionView, vec2, vec3 } from 'three/tsl';
-import {
-  type AnalyticLightNode,
-  type Light,
-  LightingModel,
-  type Node,
-  type NodeBuilder,
-} from 'three/webgpu';
+import { type AnalyticLightNode, type Light, LightingModel, type Node, type NodeBuilder } from 'three/webgpu';
 import type { Model } from '../glsl/model.ts';
 import { modelFunctionByLight, type ParameterNodes, type SplitCall } from '../glsl/tsl.ts';
 import { airTo, airToLamp } from './air.ts';
@@ -99,7 +93,7 @@ export class BrdfLightingModel extends LightingModel {
     const { lightDirection, lightColor, lightNode, reflectedLight } = data as unknown as {
       lightDirection: Vec3;
       lightColor: Vec3;
-      lightNode: AnalyticLightNode<Light>;
+      lightNode: AnalyticLightNode<Light> & { light: Light };
       reflectedLight: { directSpecular: Assignable };
     };
     if (frameContext(builder).rayTracer) return;

@@ -2,6 +2,7 @@
 import type { SourceText, Transmission } from '../brdf/model.ts';
 import { compileKernel, type Kernel, kernelSource } from '../glsl/kernel.ts';
 import type { Model } from '../glsl/model.ts';
+import air from '../lights/air.glsl?raw';
 import camera from './kernel/camera.glsl?raw';
 import constants from './kernel/constants.glsl?raw';
 import distribution from './kernel/distribution.glsl?raw';
@@ -34,6 +35,7 @@ const parts: readonly (readonly [name: string, text: string])[] = [
   ['sky.glsl', sky],
   ['light-tree.glsl', lightTree],
   ['lights.glsl', lights],
+  ['air.glsl', air],
   ['media.glsl', media],
   ['integrator.glsl', integrator],
   ['camera.glsl', camera],

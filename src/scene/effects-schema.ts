@@ -106,6 +106,14 @@ export const effectShapes = {
     ),
     ...tracingShape,
   },
+  fog: {
+    enabled: boolean('The scene’s fog is seen, and lamps shine through it in shafts'),
+    steps: integer('Places in the air that are looked at for each pixel and lamp; more makes shafts smooth', {
+      range: [4, 256],
+      slider: [8, 64],
+    }),
+    halfResolution: boolean('Computed at half the width and height: a quarter of the cost, slightly softer'),
+  },
   antialiasing: {
     method: choice(
       'Against jagged edges: four samples a pixel (MSAA); frames gathered over time, the best when nothing moves; edges of the finished picture found and smoothed, carefully (SMAA) or quickly (FXAA)',
@@ -162,6 +170,7 @@ export const effectSchemas = {
   contactShadows: z.strictObject(effectShapes.contactShadows),
   reflections: z.strictObject(effectShapes.reflections),
   indirectLight: z.strictObject(effectShapes.indirectLight),
+  fog: z.strictObject(effectShapes.fog),
   antialiasing: z.strictObject(effectShapes.antialiasing),
   depthOfField: z.strictObject(effectShapes.depthOfField),
   motionBlur: z.strictObject(effectShapes.motionBlur),
@@ -189,6 +198,7 @@ export const effectsDefaults: Readonly<Effects> = {
   contactShadows: { enabled: false, length: 0.1, thickness: 0.1, steps: 12 },
   reflections: { enabled: false, rays: 4, steps: 32, thickness: 0.5, halfResolution: true, denoise: true },
   indirectLight: { enabled: false, rays: 4, steps: 32, thickness: 0.5, halfResolution: true, denoise: true },
+  fog: { enabled: true, steps: 24, halfResolution: true },
   antialiasing: { method: 'msaa' },
   depthOfField: { enabled: false, samples: 48 },
   motionBlur: { enabled: false, samples: 16 },
@@ -203,6 +213,7 @@ export const effectsFileSchema = withDefaults(
     contactShadows: withDefaults(effectShapes.contactShadows, effectsDefaults.contactShadows),
     reflections: withDefaults(effectShapes.reflections, effectsDefaults.reflections),
     indirectLight: withDefaults(effectShapes.indirectLight, effectsDefaults.indirectLight),
+    fog: withDefaults(effectShapes.fog, effectsDefaults.fog),
     antialiasing: withDefaults(effectShapes.antialiasing, effectsDefaults.antialiasing),
     depthOfField: withDefaults(effectShapes.depthOfField, effectsDefaults.depthOfField),
     motionBlur: withDefaults(effectShapes.motionBlur, effectsDefaults.motionBlur),

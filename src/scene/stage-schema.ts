@@ -60,16 +60,32 @@ export const cameraShape = {
 };
 
 export const fogShape = {
-  density: number('Path tracer: part of the light that is scattered or absorbed per metre; 0 is clear air', {
+  density: number('Part of the light that is scattered or absorbed per metre; 0 is clear air', {
     range: [0, 1e4],
     slider: [0, 1],
     step: 0.001,
   }),
-  color: color('Path tracer: part of that light which is scattered, not absorbed, linear Rec. 709'),
-  anisotropy: number(
-    'Path tracer: mean cosine of the angle by which the light is turned; above 0 it goes on forwards',
-    { range: [-0.99, 0.99], slider: [-0.95, 0.95], step: 0.01 },
+  color: color('Part of that light which is scattered, not absorbed, linear Rec. 709'),
+  anisotropy: number('Mean cosine of the angle by which light is turned; above 0 it goes on forwards', {
+    range: [-0.99, 0.99],
+    slider: [-0.95, 0.95],
+    step: 0.01,
+  }),
+  height: number(
+    'Above its base, fog is thinner by a factor e with every step of this height; 0 is as dense everywhere',
+    {
+      range: [0, 1e6],
+      unit: 'm',
+      slider: [0, 10],
+      step: 0.01,
+    },
   ),
+  base: number('How high fog lies that is thinner above', {
+    range: [-1e6, 1e6],
+    unit: 'm',
+    slider: [-5, 5],
+    step: 0.01,
+  }),
 };
 
 export const environmentSourceShapes = {
@@ -227,7 +243,13 @@ export const cameraDefaults: Readonly<Camera> = {
   focusDistance: 0,
   apertureBlades: 0,
 };
-export const fogDefaults: Readonly<Fog> = { density: 0, color: [0.9, 0.9, 0.9], anisotropy: 0 };
+export const fogDefaults: Readonly<Fog> = {
+  density: 0,
+  color: [0.9, 0.9, 0.9],
+  anisotropy: 0,
+  height: 0,
+  base: 0,
+};
 export const environmentDefaults: Readonly<Environment> = {
   source: { type: 'none' },
   intensity: 1,

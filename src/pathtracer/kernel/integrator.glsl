@@ -155,7 +155,7 @@ vec3 tracePath(vec3 o, vec3 d) {
     bool seesLights = !isCameraRay && strategy != LIGHTS_ALONE;
     findSpace();
     if (seesLights) addRectangles(o, d, density, N, strategy, depth, limit);
-    pathThroughput *= crossSpace(pathThroughput, spaceSegment(o, d, hitDistance));
+    pathThroughput *= crossSpace(pathThroughput, o, d, spaceSegment(o, d, hitDistance));
     bool isSpace = scatterDistance >= 0.0;
     if (isSpace) o += d * scatterDistance;
 

@@ -1,4 +1,4 @@
-// What fills space: homogeneous fog in the scene's bounding sphere, and the insides of transparent bodies.
+// What fills space: fog in the scene's bounding sphere (src/lights/air.glsl), and the insides of transparent bodies.
 
 // The bodies that a path is in, the last one entered on top. Where bodies overlap the one entered later counts.
 const int MEDIA = 4;
@@ -63,26 +63,23 @@ void enterMedium(int material, float ior, vec3 extinction, vec3 albedo, float an
 
 // Where a ray is in the medium around its beginning: from x to y, y < x if nowhere.
 vec2 spaceSegment(vec3 o, vec3 d, float far) {
-  if (mediumCount > 0) return vec2(0.0, far);
-  vec4 sphere = loadFloat4(6);
-  vec3 toCentre = sphere.xyz - o;
-  float along = dot(toCentre, d);
-  float half2 = sphere.w * sphere.w - dot(toCentre, toCentre) + along * along;
-  if (half2 <= 0.0) return vec2(1.0, 0.0);
-  float half1 = sqrt(half2);
-  return vec2(max(along - half1, 0.0), min(along + half1, far));
+  return mediumCount > 0 ? vec2(0.0, far) : airSegment(loadFloat4(6), o, d, far);
+}
+
+// The height in which fog thins by e; 0 in what is even.
+float spaceScale() {
+  return mediumCount > 0 ? 0.0 : loadFloat4(7).z;
+}
+
+// In metres of the medium where it is densest.
+float spaceLength(vec3 o, vec3 d, vec2 segment) {
+  float y = o.y + d.y * segment.x - loadFloat4(7).w;
+  return airLength(y, d.y, segment.y - segment.x, spaceScale());
 }
 
 vec3 spaceTransmittance(vec3 o, vec3 d, float far) {
   if (largest(spaceExtinction) == 0.0) return vec3(1.0);
-  vec2 segment = spaceSegment(o, d, far);
-  return exp(-spaceExtinction * max(segment.y - segment.x, 0.0));
-}
-
-// L. G. Henyey and J. L. Greenstein, 1941: the density in 1/sr of scattering by an angle. g > 0 is forward.
-float phase(float cosine, float g) {
-  float base = 1.0 + g * g - 2.0 * g * cosine;
-  return (1.0 - g * g) / (4.0 * PI * base * sqrt(base));
+  return exp(-spaceExtinction * spaceLength(o, d, spaceSegment(o, d, far)));
 }
 
 vec3 samplePhase(vec2 u, vec3 d, float g) {
@@ -98,21 +95,23 @@ vec3 samplePhase(vec2 u, vec3 d, float g) {
 float scatterDistance;    // -1: nowhere
 
 // Draws the distance by the extinction of one channel, itself drawn by what the path has left of each; the weights of
-// all three are then those of the balance heuristic (M. Pharr et al., 2023, section 14.2.2). @param far of the way
-vec3 crossSpace(vec3 throughput, vec2 segment) {
+// all three are then those of the balance heuristic (M. Pharr et al., 2023, section 14.2.2). What is uneven is so by
+// the same factor in all channels: the length through it is drawn. @param segment of the way, by spaceSegment()
+vec3 crossSpace(vec3 throughput, vec3 o, vec3 d, vec2 segment) {
   scatterDistance = -1.0;
-  float way = segment.y - segment.x;
-  if (way <= 0.0 || largest(spaceExtinction) == 0.0) return vec3(1.0);
+  if (segment.y <= segment.x || largest(spaceExtinction) == 0.0) return vec3(1.0);
+  float way = spaceLength(o, d, segment);
   if (largest(spaceAlbedo) == 0.0) return exp(-spaceExtinction * way);
   vec2 u = random2();
   vec3 share = throughput / (throughput.x + throughput.y + throughput.z);
   float extinction = u.x < share.x ? spaceExtinction.x : u.x < share.x + share.y ? spaceExtinction.y : spaceExtinction.z;
-  float distance = extinction > 0.0 ? -log(1.0 - u.y) / extinction : INFINITY;
-  if (distance >= way) {
+  float length_ = extinction > 0.0 ? -log(1.0 - u.y) / extinction : INFINITY;
+  if (length_ >= way) {
     vec3 left = exp(-spaceExtinction * way);
     return left / dot(share, left);
   }
-  scatterDistance = segment.x + distance;
-  vec3 arrived = exp(-spaceExtinction * distance) * spaceExtinction;
+  float y = o.y + d.y * segment.x - loadFloat4(7).w;
+  scatterDistance = segment.x + min(airWay(y, d.y, length_, spaceScale()), segment.y - segment.x);
+  vec3 arrived = exp(-spaceExtinction * length_) * spaceExtinction;
   return arrived * spaceAlbedo / dot(share, arrived);
 }

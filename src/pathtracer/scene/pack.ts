@@ -259,8 +259,8 @@ function writeSurroundings(header: Words, document: Document, boxes: readonly nu
   const { upper, lower } = uniformSky(document);
   header.setFloats(HEADER.upperSky, ...upper);
   header.setFloats(HEADER.lowerSky, ...lower);
-  const { density, color, anisotropy } = document.fog;
-  header.setFloats(HEADER.fog, density, anisotropy);
+  const { density, color, anisotropy, height, base } = document.fog;
+  header.setFloats(HEADER.fog, density, anisotropy, height, base);
   header.setFloats(HEADER.fogAlbedo, ...color);
   if (boxes.length === 0) return;
   const low = [0, 1, 2].map(() => Number.POSITIVE_INFINITY);

@@ -1,7 +1,23 @@
 /** What every effect may read: the scene's camera, and what the surfaces pass has drawn. */
 import { texture, uniform } from 'three/tsl';
-import { Matrix4, type PerspectiveCamera, type TextureNode, Vector2, Vector3 } from 'three/webgpu';
+import {
+  type Light,
+  Matrix4,
+  type PerspectiveCamera,
+  type Texture,
+  type TextureNode,
+  Vector2,
+  Vector3,
+} from 'three/webgpu';
 import { SurfacesPass } from './surfaces-pass.ts';
+
+/** What lamps see; src/realtime/effects/shadows/rows.ts says how it is read. */
+export interface ShadowMaps {
+  readonly atlas: Texture;
+  readonly rows: Texture;
+  /** Of a light that casts shadows, once the maps of this frame are drawn; null if it has none. */
+  rowOf(light: Light): number | null;
+}
 
 /** Stands for settings that no later ones are. */
 const CHANGED = {};
@@ -33,6 +49,9 @@ export class FrameInputs {
   readonly normal: TextureNode = texture(this.surfaces.normal);
   /** By how much a point has moved since the last frame, in normalised device coordinates. */
   readonly velocity: TextureNode = texture(this.surfaces.velocity);
+
+  /** Null while lamps cast no shadows. */
+  shadowMaps: ShadowMaps | null = null;
 
   /** Seconds from the last frame to this one: what moved, moved in that time. */
   readonly seconds = uniform(1 / 60);

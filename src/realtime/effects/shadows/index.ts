@@ -17,6 +17,7 @@ import type {
 import type { LampShadow, LightShadows, PanelShadow } from '../../../material/light-shadows.ts';
 import type { Effects } from '../../../scene/effects-schema.ts';
 import type { Effect, EffectDefinition, EffectSettings } from '../../frame/effect.ts';
+import type { FrameInputs, ShadowMaps } from '../../frame/inputs.ts';
 import { ShadowAtlas } from './atlas.ts';
 import { Casters } from './casters.ts';
 import { lampFunction, panelBlockerFunction, panelSeenFunction } from './central-lookup.ts';
@@ -33,8 +34,11 @@ class Shadows implements Effect {
   readonly #casters = new Casters();
   readonly #samples = uniform(1).setGroup(renderGroup);
   #settings: Effects['shadows'];
+  readonly #inputs: FrameInputs;
+  readonly #maps: ShadowMaps;
 
-  constructor({ effects, lights = {} }: EffectSettings) {
+  constructor(inputs: FrameInputs, { effects, lights = {} }: EffectSettings) {
+    this.#inputs = inputs;
     this.#settings = effects.shadows;
     const shapes = shapesOf(lights);
     const sizes = shapes.map((shape) => squares(shape, effects.shadows));
@@ -48,10 +52,16 @@ class Shadows implements Effect {
       return { shape, row, tiles };
     });
     this.context = { shadows: this.#lookups() };
+    this.#maps = {
+      atlas: this.#atlas.target.texture,
+      rows: this.#rows.texture,
+      rowOf: (light) => this.#placed.get(light)?.place.row ?? null,
+    };
   }
 
   update({ effects }: EffectSettings): void {
     this.#settings = effects.shadows;
+    this.#inputs.shadowMaps = this.#maps;
     this.#samples.value = effects.shadows.samples;
   }
 
@@ -83,6 +93,8 @@ class Shadows implements Effect {
   }
 
   dispose(): void {
+    // Its successor may have come before.
+    if (this.#inputs.shadowMaps === this.#maps) this.#inputs.shadowMaps = null;
     this.#atlas.dispose();
     this.#rows.texture.dispose();
   }
@@ -170,5 +182,5 @@ export const shadows: EffectDefinition = {
   variant: ({ effects: { shadows: settings }, lights = {} }) =>
     [settings.resolution, settings.cascades, ...shapesOf(lights).sort()].join(' '),
   needsSurfaces: false,
-  build: (_inputs, settings) => new Shadows(settings),
+  build: (inputs, settings) => new Shadows(inputs, settings),
 };
