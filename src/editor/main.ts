@@ -17,6 +17,7 @@ import {
   toggleSource,
 } from './commands.ts';
 import { installErrorReports, showStartFailure } from './errors.ts';
+import { GpuTimesBoard } from './gpu-times.ts';
 import { installDrop } from './io/drop.ts';
 import { ANY_ACCEPT, chooseFiles, download, fileNameOf } from './io/files.ts';
 import { environmentElsewhere, openElsewhere } from './io/importer/import-job.ts';
@@ -31,7 +32,7 @@ import { FrameTimes } from './panels/status/frame-times.ts';
 import { createStatus } from './panels/status/status.ts';
 import { createTopbar } from './panels/topbar/topbar.ts';
 import { installOffline } from './pwa/offline.ts';
-import { loadScene, shippedScenes } from './scenes.ts';
+import { isShipped, loadScene, shippedScenes } from './scenes.ts';
 import type { Session } from './session.ts';
 import { documentOfLink, isLink } from './share/link.ts';
 import { installShortcuts } from './shortcuts.ts';
@@ -43,6 +44,7 @@ import { h } from './ui/dom.ts';
 import type { MenuEntry } from './ui/menu.ts';
 import { startProgress, toast, toastError } from './ui/toast.ts';
 import { installTooltip } from './ui/tooltip.ts';
+import { PresetOfDevice } from './viewport/adopt-preset.ts';
 import { stepShown } from './viewport/show.ts';
 import { Viewport } from './viewport/viewport.ts';
 
@@ -96,6 +98,7 @@ const session: Session = {
   store,
   state,
   workspace,
+  gpuTimes: new GpuTimesBoard(),
   newScene,
   save,
   openFiles: (files, as) => openFiles(opening, files, as),
@@ -105,9 +108,13 @@ const session: Session = {
   pickFocus: () => window.irradia.viewport?.pickFocus(),
 };
 
+/** A scene that is nobody's work: it gets the effects that this device draws without effort. */
+let fresh: Document | null = null;
+let presetOfDevice: PresetOfDevice | null = null;
+
 const outliner = createOutliner(session);
 const times = new FrameTimes();
-const status = createStatus(state, times);
+const status = createStatus(state, times, session.gpuTimes);
 const canvas = h('canvas', { tabindex: -1, 'aria-label': 'Viewport' });
 const loading = h('div', { class: 'loading' }, 'Loading…');
 const view = h('main', { class: 'viewport' }, canvas, loading);
@@ -139,8 +146,15 @@ document.getElementById('app')?.replaceChildren(
   }),
   status.element,
 );
-store.subscribe(({ reason }) => {
-  if (reason === 'open') times.clear();
+store.subscribe(({ reason, document }) => {
+  if (reason !== 'open') return;
+  times.clear();
+  // Once it is on the screen; at the page's start there is no viewport yet, and start() sees to it.
+  if (document === fresh)
+    void window.irradia.viewport
+      ?.nextFrame()
+      .then(() => mirror.settled())
+      .then(adoptPreset);
 });
 installDrop(view, (files) => void session.openFiles(files));
 installShortcuts([
@@ -179,14 +193,20 @@ window.irradia.ready
 // A page without a renderer takes files, too.
 void window.irradia.ready.then(importAddressed, importAddressed);
 
+async function adoptPreset(): Promise<void> {
+  if (presetOfDevice && fresh) await presetOfDevice.adopt(fresh);
+}
+
 /** What the page's address says: a document in its fragment, a scene by its name, or the first one. */
-function addressedDocument(): Promise<Document> {
+async function addressedDocument(): Promise<Document> {
   if (isLink(location.hash)) return documentOfLink(location.hash);
   const query = new URLSearchParams(location.search);
   const [scene, model] = [query.get('scene'), query.get('import')];
   // A model that is linked to is what the person wants to see, and nothing else.
-  if (scene === null && model !== null) return Promise.resolve(modelStage(model.replace(/^.*\//, '')));
-  return loadScene(scene ?? undefined);
+  if (scene === null && model !== null) return modelStage(model.replace(/^.*\//, ''));
+  const document = await loadScene(scene ?? undefined);
+  if (isShipped(scene)) fresh = document;
+  return document;
 }
 
 /** What the page's address asks to bring into the scene. */
@@ -241,28 +261,33 @@ async function start(): Promise<void> {
     onFigures: status.show,
   });
   window.irradia.viewport = viewport;
+  presetOfDevice = new PresetOfDevice(session, renderer.value, viewport);
   await viewport.nextFrame();
   loading.remove();
-  if (complete) return;
-  await settled;
-  viewport.refresh();
-  await viewport.nextFrame();
+  if (!complete) {
+    await settled;
+    viewport.refresh();
+    await viewport.nextFrame();
+  }
+  void adoptPreset();
 }
 
 function newScene(): void {
   // Not an empty void: something to look at, and light to see it by.
-  const fresh = new DocumentStore(createDocument());
-  addLight(fresh, 'ambient');
-  addLight(fresh, 'directional');
-  addObject(fresh, 'sphere');
-  void workspace.replace(fresh.document, '');
+  const made = new DocumentStore(createDocument());
+  addLight(made, 'ambient');
+  addLight(made, 'directional');
+  addObject(made, 'sphere');
+  fresh = made.document;
+  void workspace.replace(fresh, '');
 }
 
 async function openShipped(name: string): Promise<void> {
   const progress = startProgress(`Opening ${name}`);
   progress.update(`Opening ${name}`, null);
   try {
-    await workspace.replace(await loadScene(name), `?scene=${encodeURIComponent(name)}`);
+    fresh = await loadScene(name);
+    await workspace.replace(fresh, `?scene=${encodeURIComponent(name)}`);
   } catch (error) {
     toastError(`${name} could not be opened; the scene is unchanged`, error);
   } finally {

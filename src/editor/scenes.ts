@@ -10,6 +10,9 @@ function titleOf(name: string): string {
   return words.charAt(0).toUpperCase() + words.slice(1);
 }
 
+/** Whether an address's word for a scene, null for none, means one that ships. */
+export const isShipped = (name: string | null): boolean => !name?.includes('/');
+
 /** A shipped scene by its name (the default one without), or a document at an address of this server. */
 export async function loadScene(name?: string): Promise<Document> {
   if (!name?.includes('/')) return loadShipped(name);

@@ -1,5 +1,6 @@
 /** What the panels share: the document, the editor's state, and the ways into the scene for files. */
 import type { DocumentStore } from '../scene/store.ts';
+import type { GpuTimesBoard } from './gpu-times.ts';
 import type { EditorStateStore } from './state.ts';
 import type { Workspace } from './storage/workspace.ts';
 
@@ -8,6 +9,8 @@ export interface Session {
   readonly state: EditorStateStore;
   /** What is kept in the browser, and which document is open. */
   readonly workspace: Workspace;
+  /** What the GPU spends on the parts of a frame. */
+  readonly gpuTimes: GpuTimesBoard;
   /** Something to look at, and light to see it by, in place of the present scene. */
   newScene(): void;
   /** Into a file of the person's own. */

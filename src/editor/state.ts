@@ -23,6 +23,8 @@ export interface EditorState {
   /** Render every animation frame, not only when something changed. */
   readonly continuous: boolean;
   readonly statusOpen: boolean;
+  /** The GPU's times are measured and shown. */
+  readonly gpuTimes: boolean;
   readonly benchOpen: boolean;
   /** The open bench fills the page. */
   readonly benchPage: boolean;
@@ -51,6 +53,7 @@ const initial: EditorState = {
   units: {},
   continuous: false,
   statusOpen: true,
+  gpuTimes: false,
   benchOpen: false,
   benchPage: false,
   benchHeight: 348,

@@ -25,6 +25,7 @@ import { showsLight } from './display.ts';
 import { ExposureMeter } from './exposure-meter.ts';
 import type { FrameSettings, ViewSettings } from './frame/effect.ts';
 import { EffectChain } from './frame/effect-chain.ts';
+import { GpuTimes } from './frame/gpu-times.ts';
 import { FrameInputs } from './frame/inputs.ts';
 import { CopyPass } from './frame/pass.ts';
 import { type Companion, type Display, OutputPass } from './output-pass.ts';
@@ -82,7 +83,9 @@ export class RealtimeRenderer {
   readonly #options: Required<Pick<RendererOptions, 'samples' | 'precision'>>;
   readonly #output: OutputPass;
   readonly #inputs = new FrameInputs();
-  readonly #effects = new EffectChain(this.#inputs);
+  /** What the GPU spends on the parts of a frame; off at first. */
+  readonly times: GpuTimes;
+  readonly #effects = new EffectChain(this.#inputs, (name) => this.times.mark(name));
   /** The radiance of the last frame, effects and all. */
   #result: RenderTarget;
   /** What the output pass shows, for effects that work on that. */
@@ -109,6 +112,7 @@ export class RealtimeRenderer {
     // So that the figures are those of both halves of a frame.
     three.info.autoReset = false;
     this.#options = { samples, precision };
+    this.times = new GpuTimes(three);
     this.#radiance = this.#target(samples);
     this.#result = this.#radiance;
     this.#output = new OutputPass(this.#radiance.texture);
@@ -164,17 +168,21 @@ export class RealtimeRenderer {
     const show = settings.view.show ?? 'picture';
     const { width, height } = this.#fit(camera, settings, size);
     three.info.reset();
+    this.times.begin();
     camera.updateMatrixWorld();
     this.#inputs.begin(camera, width, height, settings, seconds);
     this.#follow(settings);
     if (this.#effects.needsSurfaces || this.#dataViews.needsSurfaces(show))
       this.#inputs.surfaces.render(three, scene, camera, width, height);
+    this.times.mark('surfaces');
     this.#effects.beforeScene(three, scene, camera);
     if (showsLight(show)) {
       const [x, y] = this.#effects.jitter();
       this.#drawScene(scene, camera, (-2 * x) / width, (2 * y) / height);
+      this.times.mark('scene');
       this.#result = this.#effects.afterScene(three, this.#radiance);
     } else this.#result = this.#dataViews.draw(three, show, scene, camera, this.#radiance);
+    this.times.mark('scene');
     this.#again(settings, seconds);
   }
 
@@ -303,6 +311,7 @@ export class RealtimeRenderer {
       three.setRenderTarget(into);
       this.#output.render(three, this.#result.texture, display, companion);
       three.setRenderTarget(null);
+      this.times.mark('output');
     };
     if (!this.#effects.worksOnOutput || (view.show ?? 'picture') !== 'picture') {
       draw(target);
@@ -311,6 +320,7 @@ export class RealtimeRenderer {
     this.#picture.setSize(width, height);
     draw(this.#picture);
     this.#copy.render(three, this.#effects.afterOutput(three, this.#picture), target);
+    this.times.mark('output');
   }
 
   /** @returns the size of the radiance buffer */

@@ -191,6 +191,10 @@ export const viewShape = {
     slider: [0.25, 2],
     step: 0.05,
   }),
+  targetFrameTime: number(
+    'What a frame may take the GPU: while things move, fewer pixels are rendered, half along each side at the least, to hold it; 0 renders all',
+    { range: [0, 1000], unit: 'ms', slider: [0, 50], step: 1 },
+  ),
   helpers: boolean('Show where the lights are and where they shine'),
   term: termSchema
     .nullable()
@@ -266,6 +270,7 @@ export const viewDefaults: Readonly<View> = {
   exposure: 0,
   toneMapping: 'neutral',
   resolutionScale: 1,
+  targetFrameTime: 0,
   helpers: false,
   term: null,
 };

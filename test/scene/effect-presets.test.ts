@@ -34,7 +34,8 @@ test('a new document has the cheapest preset: nothing on; a changed field is no 
   expect(withPreset(effects, 'low')).toEqual(effects);
   expect(hasDefaultEffects(createDocument())).toBe(true);
   const on = effectNames.filter((name) => (effectsDefaults[name] as { enabled?: boolean }).enabled === true);
-  expect(on).toEqual([]);
+  // Air is clear: its density is the scene's.
+  expect(on).toEqual(['fog']);
   const high = withPreset(effects, 'high');
   expect(presetOf({ ...high, shadows: { ...high.shadows, samples: 33 } })).toBe(null);
 });

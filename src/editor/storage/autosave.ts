@@ -85,6 +85,11 @@ export class Autosave {
     if (!kept && address === null) this.#schedule();
   }
 
+  /** The page itself has changed the document that was opened: that is not work to be kept. */
+  amended(document: Document): void {
+    this.#opened = document;
+  }
+
   /** Where Save writes the open document. */
   get file(): FileSystemFileHandle | null {
     return this.#file;

@@ -205,6 +205,12 @@ export class Workspace {
     }
   }
 
+  /** Another state of what has just been opened, which nobody has worked on yet: no undo step, and nothing to keep. */
+  amend(document: Document): void {
+    this.#store.open(document);
+    this.#autosave.amended(this.#store.document);
+  }
+
   /** One undo step of the open document. */
   async restore(version: Version): Promise<void> {
     if (!this.#storage) return;

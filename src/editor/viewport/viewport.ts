@@ -19,6 +19,7 @@ import { toast, toastError } from '../ui/toast.ts';
 import { createCameraControl } from './camera.ts';
 import { FrameLoop } from './frame-loop.ts';
 import { gpuFinished } from './gpu-finish.ts';
+import { MovingResolution } from './moving-resolution.ts';
 import { createOverlay, type Overlay } from './overlay.ts';
 import { pickDistance, pickObject } from './picking.ts';
 import { createShowView, type ShowView } from './show.ts';
@@ -35,6 +36,10 @@ export interface ViewportOptions {
 }
 
 const CLICK_PX = 4;
+/** The first frames after another warm up what is needed. */
+const MEASURED_FRAMES = 8;
+/** A slow device is known after less. */
+const MEASURING_MS = 100;
 /** What takes less is not worth a word. */
 const BUSY_AFTER_MS = 250;
 
@@ -55,6 +60,11 @@ export class Viewport {
   #counts: SceneCounts = { vertices: 0, triangles: 0 };
   #bounds: { id: string; box: Box3 } | null = null;
   #framesLeftToWait: (() => void)[] = [];
+  readonly #resolution = new MovingResolution(() => this.#redraw(false));
+  /** When the GPU had finished the last frame. */
+  #finishedAt = 0;
+  /** Something is being made ready that a frame would undo. */
+  #held = false;
 
   constructor(options: ViewportOptions) {
     const { element, canvas, session, mirror, times } = options;
@@ -87,10 +97,16 @@ export class Viewport {
     session.state.subscribe((now, before) => {
       if (now.continuous !== before.continuous) this.#loop.continuous = now.continuous;
       if (now.selection !== before.selection) this.#drawOverlay();
+      if (now.gpuTimes !== before.gpuTimes) {
+        options.renderer.times.on = now.gpuTimes;
+        if (!now.gpuTimes) session.gpuTimes.clear();
+        this.#redraw(false);
+      }
       const uncovered = isCovered(before) && !isCovered(now);
       if (uncovered || now.rendering !== before.rendering || now.divider !== before.divider)
         this.#loop.request();
     });
+    session.gpuTimes.available = options.renderer.times.available;
     this.#followSize(element);
     document.addEventListener('visibilitychange', () => this.#loop.interrupt());
     this.#installPicking(canvas);
@@ -105,7 +121,8 @@ export class Viewport {
     this.#redraw();
   }
 
-  #redraw(): void {
+  #redraw(moved = true): void {
+    if (moved) this.#resolution.moved();
     this.#stale = true;
     this.#loop.request();
   }
@@ -116,6 +133,36 @@ export class Viewport {
       this.#framesLeftToWait.push(resolve);
       this.#loop.request();
     });
+  }
+
+  /** Compiles what a document with other effects needs, while the page stays alive and the picture as it is. */
+  async prepare(document: Document): Promise<void> {
+    const { mirror, renderer } = this.#options;
+    this.#held = true;
+    try {
+      await renderer.compile(mirror, document, this.#sizes().size);
+    } finally {
+      this.#held = false;
+      this.#redraw();
+    }
+  }
+
+  /** What a frame of the present document takes the GPU, in ms: the least of a few. */
+  async measureFrame(): Promise<number> {
+    const { mirror, renderer, session } = this.#options;
+    const timed = session.state.value.gpuTimes;
+    renderer.times.on = true;
+    let least = Number.POSITIVE_INFINITY;
+    for (let i = 0; i < MEASURED_FRAMES && i * least < MEASURING_MS; i++) {
+      const start = performance.now();
+      renderer.render(mirror, session.store.document, this.#sizes().size);
+      await gpuFinished(renderer);
+      const passed = performance.now() - start;
+      const times = await renderer.times.read();
+      least = Math.min(least, times?.reduce((sum, { milliseconds }) => sum + milliseconds, 0) ?? passed);
+    }
+    renderer.times.on = timed;
+    return least;
   }
 
   /** Looks at what is selected, or at everything. */
@@ -146,7 +193,7 @@ export class Viewport {
   screenshot(): Promise<Blob> {
     const map = this.#tracingView.differenceCanvas;
     // A canvas of the GPU may be read only in the task that drew it.
-    if (map === null) this.#submit();
+    if (map === null) this.#submit(true);
     return pngOf(map ?? this.#options.canvas);
   }
 
@@ -230,7 +277,8 @@ export class Viewport {
     return { size, radiance: { width: scaled(size.width), height: scaled(size.height) } };
   }
 
-  #submit(): void {
+  /** @param whole with all its pixels, whatever moves */
+  #submit(whole = false): void {
     const { mirror, renderer, session, onFigures } = this.#options;
     const { document } = session.store;
     const { camera } = document;
@@ -247,10 +295,13 @@ export class Viewport {
       renderer.renderAgain({ ...document, camera: { ...camera, ...this.#camera.pose() } });
       return;
     }
-    renderer.render(mirror, document, size);
+    renderer.render(mirror, this.#resolution.next(document, whole), size);
     this.#stale = false;
+    const { factor } = this.#resolution;
     onFigures({
-      ...radiance,
+      width: Math.round(radiance.width * factor),
+      height: Math.round(radiance.height * factor),
+      factor,
       drawCalls: renderer.three.info.render.drawCalls,
       backend: renderer.backend === 'webgpu' ? 'WebGPU' : 'WebGL 2',
       ...this.#counts,
@@ -262,8 +313,8 @@ export class Viewport {
     const { renderer, session, mirror } = this.#options;
     const { document } = session.store;
     const { view } = document;
-    if (this.#stale) {
-      renderer.render(mirror, document, this.#sizes().size);
+    if (this.#stale || this.#resolution.factor < 1) {
+      renderer.render(mirror, this.#resolution.next(document, true), this.#sizes().size);
       this.#stale = false;
     }
     const { texture } = this.tracing;
@@ -277,16 +328,30 @@ export class Viewport {
   }
 
   async #render(): Promise<void> {
+    if (this.#held) return;
     const waiting = this.#framesLeftToWait;
     this.#framesLeftToWait = [];
     // Nobody sees it: the machine is the plots', unless somebody asked for this very frame.
     if (isCovered(this.#options.session.state.value) && waiting.length === 0) return;
-    this.#submit();
+    const start = performance.now();
+    const { document } = this.#options.session.store;
+    this.#submit(waiting.length > 0);
     this.#drawOverlay();
     this.#show.update(this.#options.renderer.exposure(this.#options.session.store.document.view));
     if (this.#wantsMore()) this.#loop.request();
     await gpuFinished(this.#options.renderer);
+    const now = performance.now();
+    // A frame waits for the one before it.
+    this.#resolution.add(now - Math.max(start, this.#finishedAt), document);
+    this.#finishedAt = now;
+    await this.#readTimes();
     for (const resolve of waiting) resolve();
+  }
+
+  async #readTimes(): Promise<void> {
+    const { renderer, session } = this.#options;
+    const times = await renderer.times.read();
+    if (times && session.state.value.gpuTimes) session.gpuTimes.add(times);
   }
 
   /** Whether the next frame would be a better one, though nothing changes. */

@@ -1,6 +1,7 @@
 /** The effects of the present frame: builds those that are switched on, keeps them while they stay, and has them draw. */
 import { context } from 'three/tsl';
 import type { PerspectiveCamera, RenderTarget, Scene, WebGPURenderer } from 'three/webgpu';
+import type { EffectName } from '../../scene/effects-schema.ts';
 import { effects as definitions } from '../effects/index.ts';
 import type { Effect, EffectDefinition, EffectSettings, FrameSettings } from './effect.ts';
 import type { FrameInputs } from './inputs.ts';
@@ -13,12 +14,15 @@ interface Entry {
 
 export class EffectChain {
   readonly #inputs: FrameInputs;
+  /** Told when an effect has drawn what it draws at one of its places in the frame. */
+  readonly #onDrawn: (effect: EffectName) => void;
   #entries: readonly Entry[] = [];
   /** What all materials are told. */
   #told: Readonly<Record<string, unknown>> = {};
 
-  constructor(inputs: FrameInputs) {
+  constructor(inputs: FrameInputs, onDrawn: (effect: EffectName) => void = () => {}) {
     this.#inputs = inputs;
+    this.#onDrawn = onDrawn;
   }
 
   /**
@@ -58,11 +62,18 @@ export class EffectChain {
   }
 
   beforeScene(three: WebGPURenderer, scene: Scene, camera: PerspectiveCamera): void {
-    for (const { effect } of this.#entries) effect.beforeScene?.(three, scene, camera);
+    for (const { definition, effect } of this.#entries) {
+      effect.beforeScene?.(three, scene, camera);
+      this.#onDrawn(definition.name);
+    }
   }
 
   afterScene(three: WebGPURenderer, radiance: RenderTarget): RenderTarget {
-    return this.#entries.reduce((input, { effect }) => effect.afterScene?.(three, input) ?? input, radiance);
+    return this.#entries.reduce((input, { definition, effect }) => {
+      const output = effect.afterScene?.(three, input) ?? input;
+      this.#onDrawn(definition.name);
+      return output;
+    }, radiance);
   }
 
   /** Whether any of them works on the picture as a screen shows it. */
@@ -71,7 +82,11 @@ export class EffectChain {
   }
 
   afterOutput(three: WebGPURenderer, picture: RenderTarget): RenderTarget {
-    return this.#entries.reduce((input, { effect }) => effect.afterOutput?.(three, input) ?? input, picture);
+    return this.#entries.reduce((input, { definition, effect }) => {
+      const output = effect.afterOutput?.(three, input) ?? input;
+      this.#onDrawn(definition.name);
+      return output;
+    }, picture);
   }
 
   dispose(): void {

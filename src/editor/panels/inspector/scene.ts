@@ -26,6 +26,7 @@ import { section } from '../../ui/section.ts';
 import { cameraFields } from './camera.ts';
 import { pathCell, tryEdit } from './cell.ts';
 import { type Bound, choiceLabel, labelOf, shapeFields } from './field.ts';
+import { withGpuTime } from './gpu-time.ts';
 import type { InspectorPanel } from './panel.ts';
 import { presetChoice } from './preset.ts';
 
@@ -100,7 +101,11 @@ export function scenePanel(session: Session): InspectorPanel {
       fold('Fog', ...part('fog', fogShape, fogDefaults)),
       fold('Effects', single(presetChoice(session))),
       ...effectNames.map((name) =>
-        fold(labelOf(name), ...part(`effects.${name}`, effectShapes[name], effectsDefaults[name])),
+        withGpuTime(
+          session,
+          name,
+          fold(labelOf(name), ...part(`effects.${name}`, effectShapes[name], effectsDefaults[name])),
+        ),
       ),
       fold('Path tracing', ...part('pathTracing', pathTracingShape, pathTracingDefaults)),
       fold('Near and far', ...part('camera', { near, far }, cameraDefaults)),

@@ -1,9 +1,12 @@
 /** The strip under the viewport: what is rendered, by what, and how long frames take. */
+
+import type { GpuTimesBoard } from '../../gpu-times.ts';
 import type { EditorStateStore } from '../../state.ts';
 import { h } from '../../ui/dom.ts';
 import { icon } from '../../ui/icons.ts';
 import { createFrameGraph } from './frame-graph.ts';
 import type { FrameStatistics, FrameTimes } from './frame-times.ts';
+import { createGpuTimesPanel } from './gpu-times.ts';
 
 export interface RenderFigures {
   width: number;
@@ -12,6 +15,8 @@ export interface RenderFigures {
   triangles: number;
   drawCalls: number;
   backend: string;
+  /** Part of the resolution that is drawn while things move, along each side; 1 is all. */
+  factor: number;
 }
 
 export interface StatusPanel {
@@ -21,12 +26,19 @@ export interface StatusPanel {
 
 const REFRESH_MS = 250;
 
-export function createStatus(state: EditorStateStore, times: FrameTimes): StatusPanel {
+export function createStatus(
+  state: EditorStateStore,
+  times: FrameTimes,
+  gpuTimes: GpuTimesBoard,
+): StatusPanel {
   const figure = (label: string, tip: string) => {
     const value = h('dd', {}, '–');
     return { value, element: h('div', { class: 'figure', tip }, h('dt', {}, label), value) };
   };
-  const resolution = figure('Resolution', 'Pixels that are rendered');
+  const resolution = figure(
+    'Resolution',
+    'Pixels that are rendered; in percent: along each side, to hold the target frame time',
+  );
   const vertices = figure('Vertices', 'Vertices of what is drawn');
   const triangles = figure('Triangles', 'Triangles that are drawn');
   const calls = figure('Draw calls', 'Draw calls of a frame');
@@ -52,6 +64,7 @@ export function createStatus(state: EditorStateStore, times: FrameTimes): Status
     icon('loop'),
   );
   continuous.addEventListener('click', () => state.set({ continuous: !state.value.continuous }));
+  const gpu = createGpuTimesPanel(state, gpuTimes);
   const fold = h(
     'button',
     { type: 'button', class: 'icon-button', 'aria-label': 'Frame time graph' },
@@ -72,6 +85,7 @@ export function createStatus(state: EditorStateStore, times: FrameTimes): Status
       ),
       h('dl', { class: 'figures-list fixed' }, fps.element),
       continuous,
+      gpu.button,
       fold,
     ),
     h(
@@ -85,6 +99,7 @@ export function createStatus(state: EditorStateStore, times: FrameTimes): Status
         },
         graph.element,
       ),
+      gpu.element,
       h('dl', { class: 'percentiles' }, ...[p50, p95, p99, spikes].map((item) => item.element)),
     ),
   );
@@ -120,7 +135,8 @@ export function createStatus(state: EditorStateStore, times: FrameTimes): Status
   return {
     element,
     show(figures) {
-      put(resolution.value, `${figures.width} × ${figures.height}`);
+      const part = figures.factor < 1 ? ` · ${Math.round(100 * figures.factor)} %` : '';
+      put(resolution.value, `${figures.width} × ${figures.height}${part}`);
       put(vertices.value, grouped(figures.vertices));
       put(triangles.value, grouped(figures.triangles));
       put(calls.value, grouped(figures.drawCalls));

@@ -1,0 +1,51 @@
+/** What a frame takes the GPU, by its own clock: the sum and the parts. Measured only while this is shown. */
+import { type GpuTimesBoard, gpuTimeText } from '../../gpu-times.ts';
+import type { EditorStateStore } from '../../state.ts';
+import { h } from '../../ui/dom.ts';
+import { icon } from '../../ui/icons.ts';
+import { labelOf } from '../inspector/field.ts';
+
+const TIP = 'GPU time of a frame and of its parts, here and beside the effects of the scene';
+const HINT =
+  'By the GPU’s clock, which browsers may round to 0.1 ms. What an effect adds to the shading of surfaces is in “Scene”.';
+const NO_CLOCK = 'This browser or GPU has no timestamps: times of the GPU cannot be measured';
+
+export function createGpuTimesPanel(
+  state: EditorStateStore,
+  board: GpuTimesBoard,
+): { button: HTMLElement; element: HTMLElement } {
+  const button = h(
+    'button',
+    { type: 'button', class: 'icon-button', 'aria-label': 'GPU times', tip: TIP },
+    icon('stopwatch'),
+  );
+  button.addEventListener('click', () => {
+    const gpuTimes = !state.value.gpuTimes;
+    state.set({ gpuTimes, ...(gpuTimes && { statusOpen: true }) });
+  });
+  const element = h('dl', { class: 'gpu-times', 'aria-label': 'GPU times', tip: HINT });
+
+  const update = () => {
+    const { gpuTimes: on } = state.value;
+    button.classList.toggle('on', on);
+    button.setAttribute('aria-pressed', String(on));
+    button.disabled = board.available === false;
+    button.dataset.tip = board.available === false ? NO_CLOCK : TIP;
+    element.hidden = !on;
+    if (!on) return;
+    const parts = [...board.times];
+    const sum = parts.reduce((total, [, milliseconds]) => total + milliseconds, 0);
+    const figures = [['GPU', sum] as const, ...parts.map(([name, time]) => [labelOf(name), time] as const)];
+    element.replaceChildren(
+      ...(parts.length === 0 ? [] : figures).map(([label, milliseconds]) =>
+        h('div', { class: 'figure' }, h('dt', {}, label), h('dd', {}, gpuTimeText(milliseconds))),
+      ),
+    );
+  };
+  board.subscribe(update);
+  state.subscribe((now, before) => {
+    if (now.gpuTimes !== before.gpuTimes) update();
+  });
+  update();
+  return { button, element };
+}
