@@ -44,7 +44,7 @@ export function composed(
       const [x, y] = [(i % 3) - 1, Math.floor(i / 3) - 1];
       const there = at(near, uv().add(vec2(x, y).div(halfSize)) as Vec2).toVar();
       const weight = ((2 - Math.abs(x)) * (2 - Math.abs(y))) / 16;
-      over.addAssign(there.rgb.mul(there.a).mul(weight) as Vec3);
+      over.addAssign(there.rgb.mul(weight) as Vec3);
       cover.addAssign(there.a.mul(weight));
     }
     const laid = color.mul(cover.oneMinus()).add(over);

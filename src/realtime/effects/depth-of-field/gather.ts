@@ -85,8 +85,9 @@ export function farGathered(shared: Shared, half: TextureNode<'vec4'>): Node {
 }
 
 /**
- * Before the focus, within the widest circle that reaches here. Alpha is how much of what is behind is covered. Where the
- * pixel itself is before the focus, what shines through comes from those around that are not.
+ * Before the focus, within the widest circle that reaches here. Alpha is how much of what is behind is covered, and the
+ * colour is multiplied by it, so that texels can be mixed. Where the pixel itself is before the focus, what shines through
+ * comes from those around that are not.
  */
 export function nearGathered(shared: Shared, half: TextureNode<'vec4'>, reach: TextureNode<'vec4'>): Node {
   const { halfSize } = shared;
@@ -127,6 +128,6 @@ export function nearGathered(shared: Shared, half: TextureNode<'vec4'>, reach: T
         result.assign(vec4(color.mul(isNear.oneMinus()).add((filled as Vec3).mul(isNear)), alpha));
       });
     });
-    return result;
+    return vec4(result.rgb.mul(result.a), result.a);
   })();
 }
