@@ -18,7 +18,10 @@ export function lightLines(light: Light): LightLines {
     case 'hemisphere':
       return { main: [], faint: [] };
     case 'point':
-      return { main: [], faint: light.range > 0 ? sphereLines(light.position, light.range) : [] };
+      return {
+        main: light.radius > 0 ? sphereLines(light.position, light.radius) : [],
+        faint: light.range > 0 ? sphereLines(light.position, light.range) : [],
+      };
     case 'directional': {
       const { forward, right, up } = frame(light.position, light.target);
       const size = 0.3;
@@ -46,7 +49,9 @@ export function lightLines(light: Light): LightLines {
         return end ? [light.position, end] : [];
       });
       const inner = light.penumbra > 0 ? [ring(light.cutoff * (1 - light.penumbra))] : [];
-      return { main: [edge, ...spokes], faint: [[light.position, light.target], ...inner] };
+      // The lamp itself: a disc that faces what it lights.
+      const lamp = light.radius > 0 ? [circle(light.position, right, up, light.radius)] : [];
+      return { main: [edge, ...spokes, ...lamp], faint: [[light.position, light.target], ...inner] };
     }
     case 'rectangle': {
       const { forward, right, up } = frame(light.position, light.target);
