@@ -10,6 +10,8 @@ export const fragmentData = {
   tangent: property('vec3', 'shadedTangent') as Node<'vec3'>,
   /** How many lamps reach the fragment. */
   lamps: property('float', 'shadedLamps') as Node<'float'>,
+  /** The cascade of the last light from far away that casts shadows, from 1 for the finest; 0 where there is none. */
+  cascade: property('float', 'shadedCascade') as Node<'float'>,
 };
 
 export function wantsFragmentData(builder: NodeBuilder): boolean {

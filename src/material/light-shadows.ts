@@ -44,6 +44,8 @@ export interface PanelShadow {
 export interface LightShadows {
   /** Null for a light that casts none. */
   lamp(light: Light, builder: NodeBuilder): LampShadow | null;
+  /** Which of a light's maps has the point, 0 being the finest; null for a light that has one alone, or none. */
+  cascade(light: Light, builder: NodeBuilder): ((point: ShadedPoint) => Float) | null;
   panel(light: Light, builder: NodeBuilder): PanelShadow | null;
 }
 

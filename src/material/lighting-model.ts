@@ -65,6 +65,7 @@ export class BrdfLightingModel extends LightingModel {
     if (this.wantsData) {
       (fragmentData.tangent as unknown as Assignable).assign(X);
       (fragmentData.lamps as unknown as Assignable).assign(float(0));
+      (fragmentData.cascade as unknown as Assignable).assign(float(0));
     }
     run(this.brdf.perView(V, N, X, Y));
     // Lights add to these inside branches: they must be declared, and 0, before the first of them.
@@ -110,7 +111,12 @@ export class BrdfLightingModel extends LightingModel {
       const air = airToLamp(builder, lightNode, L);
       const light = air ? near.mul(air) : near;
       reflectedLight.directSpecular.addAssign(this.f(L).mul(light).mul(cosine));
-      this.count();
+      if (this.wantsData) {
+        If(light.x.add(light.y).add(light.z).greaterThan(0), () => this.count());
+        const cascade = this.shadows?.cascade(lightNode.light, builder);
+        const found = cascade?.(this.point as ShadedPoint).add(1);
+        if (found) (fragmentData.cascade as unknown as Assignable).assign(found);
+      }
     });
   }
 

@@ -19,6 +19,7 @@ import {
 } from 'three/webgpu';
 import { BrdfMaterial } from '../material/brdf-material.ts';
 import { fragmentData } from '../material/fragment-data.ts';
+import { frameContext } from '../material/frame-context.ts';
 import type { View } from '../scene/schema.ts';
 import type { FrameInputs } from './frame/inputs.ts';
 import { Pass } from './frame/pass.ts';
@@ -29,7 +30,14 @@ type Vec3 = Node<'vec3'>;
 /** Those that the surfaces pass has already. */
 const OF_SURFACES: readonly Show[] = ['depth', 'meshNormals', 'motion'];
 /** Those that materials say themselves. */
-const OF_MATERIALS: readonly Show[] = ['shadingNormals', 'tangents', 'textureCoordinates', 'lights'];
+const OF_MATERIALS: readonly Show[] = [
+  'shadingNormals',
+  'tangents',
+  'textureCoordinates',
+  'lights',
+  'cascades',
+  'ambientOcclusion',
+];
 
 export class DataViews {
   readonly #inputs: FrameInputs;
@@ -113,6 +121,10 @@ export class DataViews {
 
   #ofMaterial(show: Show, builder: NodeBuilder): Vec3 {
     if (show === 'lights') return vec3(fragmentData.lamps) as Vec3;
+    if (show === 'cascades') return vec3(fragmentData.cascade) as Vec3;
+    // All is open where nothing is known of what is around.
+    if (show === 'ambientOcclusion')
+      return vec3(frameContext(builder).openSky?.().visibility ?? float(1)) as Vec3;
     if (show === 'tangents') return this.#toWorld(fragmentData.tangent);
     if (show === 'shadingNormals') return this.#toWorld(normalView as Vec3);
     const has = (builder as unknown as { geometry: { hasAttribute(name: string): boolean } }).geometry;

@@ -60,7 +60,10 @@ export function displayNode(
       return vec4(pixel.rg.fract().mul(pixel.a), 0, 1);
     case 'motion':
       return vec4(pixel.rg.div(2 * MOST_MOTION).add(0.5), 0.5, 1);
+    case 'ambientOcclusion':
+      return vec4(vec3(pixel.r.mul(pixel.a)), 1);
     case 'overdraw':
+    case 'cascades':
     case 'lights':
       return vec4(palette(COUNT_COLORS, pixel.r.add(0.5)), 1);
   }

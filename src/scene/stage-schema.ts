@@ -164,11 +164,13 @@ export const SHOWN = [
   'motion',
   'overdraw',
   'lights',
+  'cascades',
+  'ambientOcclusion',
 ] as const;
 
 export const viewShape = {
   show: choice(
-    'The picture, or what is behind it: luminance in false colours, distance, directions of the surface, texture coordinates, motion, how often a pixel is drawn, how many lamps reach it',
+    'The picture, or what is behind it: luminance in false colours, distance, directions of the surface, texture coordinates, motion, how often a pixel is drawn, how many lamps reach it, which of the sun’s shadow maps it has, how much of its surroundings is open',
     SHOWN,
   ),
   exposureMode: choice(

@@ -78,6 +78,26 @@ test('how many lamps reach each pixel', async () => {
   expect([far[0], near[0], nothing[0]]).toEqual([3, 2, 0]);
 });
 
+test('which of the sun’s shadow maps a pixel has, and how much of its surroundings is open', async () => {
+  const lit = (show: View['show'], effects: object) => {
+    const { effects: _, ...document } = walls(show);
+    return scene({ ...document, lights: { sun: { ...document.lights.a } }, effects });
+  };
+  const at = ({ pixels }: { pixels: Float32Array }, x: number, y: number) => pixels[4 * (y * SIZE + x)]!;
+  const none = await maker.draw(lit('cascades', { shadows: { enabled: false } }));
+  expect(at(none, 10, 16)).toBe(0);
+  const cascades = await maker.draw(lit('cascades', { shadows: { enabled: true } }));
+  expect(at(cascades, 20, 16)).toBeGreaterThanOrEqual(1);
+  expect(at(cascades, 10, 16)).toBeGreaterThanOrEqual(at(cascades, 20, 16));
+  expect(at(await maker.draw(lit('ambientOcclusion', {})), 10, 16)).toBe(1);
+  const open = await maker.draw(lit('ambientOcclusion', { ambientOcclusion: { enabled: true } }));
+  const seen = open.pixels.filter((_, i) => i % 4 === 0 && open.pixels[i + 3]! > 0);
+  expect(Math.max(...seen)).toBeGreaterThan(0.95);
+  expect(Math.max(...seen)).toBeLessThanOrEqual(1.001);
+  expect(Math.min(...seen)).toBeLessThan(0.995);
+  expect(Math.min(...seen)).toBeGreaterThan(0);
+});
+
 test('motion in pixels a frame, and none of what stands still', async () => {
   const { far } = await shown('motion');
   for (const [i, expected] of [0, 0, 0, 1].entries()) expect(far[i]).toBeCloseTo(expected);

@@ -89,6 +89,14 @@ function legendOf(document: Document, exposure: number): HTMLElement[] {
       ];
     case 'overdraw':
       return counts('Times that a pixel is drawn');
+    case 'cascades':
+      return counts('Shadow map of the sun, 1 the finest');
+    case 'ambientOcclusion':
+      return [
+        h('div', { class: 'show-title' }, 'Ambient occlusion'),
+        row('rgb(255 255 255)', 'open, or not looked for'),
+        row('rgb(0 0 0)', 'closed'),
+      ];
     case 'lights':
       return counts('Lamps that reach a pixel');
     case 'depth': {
@@ -153,10 +161,11 @@ function row(color: string, text: string, more = ''): HTMLElement {
 
 function readingOf(shown: Show, [r, g, b, a]: readonly [number, number, number, number]): string {
   if (shown === 'luminance') return `${nits(0.2126 * r + 0.7152 * g + 0.0722 * b)} nits`;
-  if (shown === 'overdraw' || shown === 'lights') return String(Math.round(r));
+  if (shown === 'overdraw' || shown === 'lights' || shown === 'cascades') return String(Math.round(r));
   if (a === 0) return 'nothing';
   const digits = (x: number) => (Math.abs(x) < 0.0005 ? 0 : x).toFixed(3);
   if (shown === 'depth') return `${digits(r)} m`;
+  if (shown === 'ambientOcclusion') return digits(r);
   if (shown === 'textureCoordinates') return `u ${digits(r)}, v ${digits(g)}`;
   if (shown === 'motion') return `${digits(r)}, ${digits(g)} px`;
   return [r, g, b].map(digits).join(', ');

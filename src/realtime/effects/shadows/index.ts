@@ -22,7 +22,7 @@ import { ShadowAtlas } from './atlas.ts';
 import { Casters } from './casters.ts';
 import { lampFunction, panelBlockerFunction, panelSeenFunction } from './central-lookup.ts';
 import { type Place, PlacedLight, shapeOf, shapesOf, squares } from './lamps.ts';
-import { sunFunction } from './parallel-lookup.ts';
+import { cascadeFunction, sunFunction } from './parallel-lookup.ts';
 import { Rows, type Tile } from './rows.ts';
 
 class Shadows implements Effect {
@@ -134,6 +134,7 @@ class Shadows implements Effect {
         made = {
           lamp: lampFunction(maps),
           sun: sunFunction(maps),
+          cascade: cascadeFunction(maps),
           blocker: panelBlockerFunction(maps),
           seen: panelSeenFunction(maps),
         } as unknown as Functions;
@@ -153,6 +154,12 @@ class Shadows implements Effect {
         const { lamp, sun } = functionsOf(builder);
         const call = shapeOf(light) === 'cascades' ? sun : lamp;
         return ({ position, normal, noise }) => call(row, position, normal, samples, noise);
+      },
+      cascade(light, builder) {
+        const row = rowOf(light);
+        if (row === null || shapeOf(light) !== 'cascades') return null;
+        const { cascade } = functionsOf(builder);
+        return ({ position, noise }) => cascade(row, position, noise);
       },
       panel(light, builder): PanelShadow | null {
         const row = rowOf(light);
@@ -174,7 +181,7 @@ function mapTexture(map: Texture): TextureNode {
 }
 
 type Call = (...args: readonly unknown[]) => Node<'float'>;
-type Functions = Readonly<Record<'lamp' | 'sun' | 'blocker' | 'seen', Call>>;
+type Functions = Readonly<Record<'lamp' | 'sun' | 'cascade' | 'blocker' | 'seen', Call>>;
 
 export const shadows: EffectDefinition = {
   name: 'shadows',

@@ -29,6 +29,52 @@ import {
 /** The part of a cascade's width, along its edge, over which it goes over into the next. */
 const BLEND = 0.1;
 
+/** The finest cascade that has the point; near its edge the next one in more and more pixels. */
+function findCascade(
+  read: ReturnType<typeof readRow>,
+  cascades: Float,
+  x: Vec3,
+  noise: Float,
+  onFound: (map: ReturnType<typeof mapAt>, number: Float) => void,
+): void {
+  const isFound = int(0).toVar();
+  repeat(cascades, (i) => {
+    If(isFound.equal(0), () => {
+      const map = mapAt(read, i.toInt() as unknown as Int);
+      const at = vec2(x.x.mul(map.place.x).add(map.place.y), x.y.mul(map.place.z).add(map.place.w));
+      const size = map.bounds.zw.sub(map.bounds.xy).max(1);
+      const inner = at.sub(map.bounds.xy).min(map.bounds.zw.sub(at)).div(size.mul(BLEND)).toVar();
+      const depth = inner.x.min(inner.y);
+      const isLast = i.add(1).greaterThanEqual(cascades);
+      If(depth.greaterThan(noise).or(isLast), () => {
+        onFound(map, i);
+        isFound.assign(1);
+      });
+    });
+  });
+}
+
+/** Which cascade a point's shadow is looked up in: 0 is the finest. */
+export function cascadeFunction(maps: Maps) {
+  return Fn(([row, position, noise]: [Int, Vec3, Float]) => {
+    const read = readRow(maps, row);
+    const frame = [read(1).toVar(), read(2).toVar(), read(3).toVar()] as [Vec4, Vec4, Vec4];
+    const found = float(0).toVar();
+    findCascade(read, frame[0].w as Float, inFrame(position, frame), noise, (_, number) => {
+      found.assign(number);
+    });
+    return found;
+  }).setLayout({
+    name: 'sunCascade',
+    type: 'float',
+    inputs: [
+      { name: 'row', type: 'int' },
+      { name: 'position', type: 'vec3' },
+      { name: 'noise', type: 'float' },
+    ],
+  });
+}
+
 /** The part of the sun's disc that a point sees. */
 export function sunFunction(maps: Maps) {
   return Fn(([row, position, normal, samples, noise]: [Int, Vec3, Vec3, Float, Float]) => {
@@ -40,24 +86,11 @@ export function sunFunction(maps: Maps) {
     const n = inFrame(normal, frame);
     const seen = float(1).toVar();
 
-    // The finest cascade that has the point; near its edge the next one in more and more pixels.
     const place = vec4(0).toVar() as unknown as Vec4;
     const bounds = vec4(0).toVar() as unknown as Vec4;
-    const isFound = int(0).toVar();
-    repeat(cascades, (i) => {
-      If(isFound.equal(0), () => {
-        const map = mapAt(read, i.toInt() as unknown as Int);
-        const at = vec2(x.x.mul(map.place.x).add(map.place.y), x.y.mul(map.place.z).add(map.place.w));
-        const size = map.bounds.zw.sub(map.bounds.xy).max(1);
-        const inner = at.sub(map.bounds.xy).min(map.bounds.zw.sub(at)).div(size.mul(BLEND)).toVar();
-        const depth = inner.x.min(inner.y);
-        const isLast = i.add(1).greaterThanEqual(cascades);
-        If(depth.greaterThan(noise).or(isLast), () => {
-          (place as unknown as { assign(v: Vec4): void }).assign(map.place);
-          (bounds as unknown as { assign(v: Vec4): void }).assign(map.bounds);
-          isFound.assign(1);
-        });
-      });
+    findCascade(read, cascades, x, noise, (map) => {
+      (place as unknown as { assign(v: Vec4): void }).assign(map.place);
+      (bounds as unknown as { assign(v: Vec4): void }).assign(map.bounds);
     });
     const texel = float(1).div(place.x.min(place.z.negate()).max(1e-20)).toVar() as unknown as Float;
 
