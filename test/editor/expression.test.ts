@@ -33,6 +33,7 @@ describe('evaluateExpression', () => {
         expect(read).not.toBeNull();
         expect(Math.abs((read ?? 0) - value)).toBeLessThanOrEqual(Math.max(1e-3 * Math.abs(value), 5e-6));
       }),
+      { examples: [[0.1005], [0.11411411411411412], [1.0005]] },
     );
   });
 

@@ -1,7 +1,7 @@
 import fc from 'fast-check';
 import { GLTFExporter } from 'three/addons/exporters/GLTFExporter.js';
 import * as THREE from 'three/webgpu';
-import { beforeAll, beforeEach, describe, expect, test, vi } from 'vitest';
+import { afterAll, beforeAll, beforeEach, describe, expect, test, vi } from 'vitest';
 import { nodeAssets } from '../../src/cli/node-assets.ts';
 import { readGlb, writeGlb } from '../../src/io/gltf/glb.ts';
 import { addImported, GltfError, type ImportedModel, importGltf } from '../../src/io/gltf.ts';
@@ -51,6 +51,7 @@ class BlobReader {
   }
 }
 vi.stubGlobal('FileReader', BlobReader);
+afterAll(() => void vi.unstubAllGlobals());
 
 /** What three.js writes for a scene. */
 async function exported(scene: THREE.Object3D): Promise<Uint8Array> {

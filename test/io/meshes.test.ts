@@ -4,7 +4,7 @@ import { OBJExporter } from 'three/addons/exporters/OBJExporter.js';
 import { PLYExporter } from 'three/addons/exporters/PLYExporter.js';
 import { STLExporter } from 'three/addons/exporters/STLExporter.js';
 import * as THREE from 'three/webgpu';
-import { describe, expect, test, vi } from 'vitest';
+import { afterAll, describe, expect, test, vi } from 'vitest';
 import { nodeAssets } from '../../src/cli/node-assets.ts';
 import { Notes } from '../../src/io/gltf/notes.ts';
 import { addImported } from '../../src/io/gltf.ts';
@@ -20,6 +20,7 @@ import { DocumentStore } from '../../src/scene/store.ts';
 
 // three's exporter hands its result over in a frame.
 vi.stubGlobal('requestAnimationFrame', (run: () => void) => setTimeout(run, 0));
+afterAll(() => void vi.unstubAllGlobals());
 
 const assets = new AssetLoader(nodeAssets);
 const bytesOf = (text: string): Uint8Array => new TextEncoder().encode(text);

@@ -63,6 +63,8 @@ export function formatNumber(value: number): string {
       .replace(/\.?0+e/, 'e')
       .replace('e+', 'e');
   }
-  const decimals = magnitude >= 1000 ? 1 : magnitude >= 100 ? 2 : magnitude >= 0.1 ? 3 : 5;
+  // Within a thousandth of the value.
+  const decimals =
+    magnitude >= 1000 ? 1 : magnitude >= 100 ? 2 : magnitude >= 1 ? 3 : magnitude >= 0.1 ? 4 : 5;
   return String(Number(value.toFixed(decimals)));
 }
