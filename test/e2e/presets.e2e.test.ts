@@ -1,0 +1,80 @@
+import { expect, test } from 'vitest';
+import { openLab } from './lab.ts';
+
+const lab = await openLab();
+
+const ball = {
+  format: 'irradia',
+  version: 1,
+  name: 'Ball',
+  camera: { fov: 40, position: [0, 1.5, 4], target: [0, 0.4, 0] },
+  materials: { m: { name: 'Clay', model: 'lambert' } },
+  lights: { sun: { type: 'directional', name: 'Sun', position: [2, 4, 1], target: [0, 0, 0] } },
+  objects: {
+    floor: {
+      name: 'Floor',
+      material: 'm',
+      rotation: [-90, 0, 0],
+      geometry: { type: 'plane', width: 6, height: 6 },
+    },
+    ball: { name: 'Ball', material: 'm', position: [0, 0.5, 0], geometry: { type: 'sphere', radius: 0.5 } },
+  },
+};
+const files = { '/ball.json': JSON.stringify(ball) };
+const query = '?scene=/ball.json';
+
+test('a preset is chosen in the inspector and undone; the GPU’s times are beside the effects while they are asked for', async () => {
+  const opened = await (await lab.open({ query, files, width: 640, height: 400 })).ready();
+  const { page } = opened;
+  const preset = page.locator('select[aria-label=Preset]');
+  const plain = await opened.picture();
+  expect(await preset.inputValue()).toBe('low');
+  await preset.selectOption('medium');
+  expect((await opened.document()).effects.shadows.enabled).toBe(true);
+  const shadowed = await opened.picture();
+  expect(shadowed.hash).not.toBe(plain.hash);
+
+  expect(await page.locator('.gpu-times').isVisible()).toBe(false);
+  await page.click('[aria-label="GPU times"]');
+  await opened.until("document.querySelectorAll('.gpu-times .figure').length > 3");
+  // Of each part that was drawn; the sum is the first.
+  const labels = await page.locator('.gpu-times dt').allInnerTexts();
+  expect(labels[0]).toBe('GPU');
+  expect(labels).toEqual(expect.arrayContaining(['Surfaces', 'Ambient occlusion', 'Scene', 'Output']));
+  const header = page.locator('summary:has-text("Ambient occlusion") .gpu-time');
+  expect(await header.innerText()).toMatch(/^\d+(\.\d+)? ms$/);
+  await page.click('[aria-label="GPU times"]');
+  expect(await header.innerText()).toBe('');
+
+  await page.click('[data-action=undo]');
+  expect(await preset.inputValue()).toBe('low');
+  expect((await opened.picture()).hash).toBe(plain.hash);
+  expect(opened.errors).toEqual([]);
+});
+
+test('while things move fewer pixels are drawn, to hold the target; a picture that stands still has all', async () => {
+  const opened = await (await lab.open({ query, files, width: 640, height: 400 })).ready();
+  const { page } = opened;
+  const full = await opened.picture();
+  const resolution = page.locator('.figure:has(dt:text-is("Resolution")) dd');
+  const size = await resolution.innerText();
+  // A time that no GPU holds.
+  const lowered = await page.evaluate(`(async () => {
+    const { store } = irradia;
+    store.edit('Target', (draft) => { draft.view.targetFrameTime = 0.001; });
+    for (let i = 1; i <= 300; i++) {
+      store.edit('Turn', (draft) => { draft.camera.position[0] = i / 100; }, { merge: 'turn' });
+      await new Promise(requestAnimationFrame);
+      if (document.querySelector('.figures dd').textContent.includes('%')) return true;
+      await new Promise((resolve) => setTimeout(resolve, 30));
+    }
+    return false;
+  })()`);
+  expect(lowered).toBe(true);
+  // Nothing moves now.
+  await opened.until("!document.querySelector('.figures dd').textContent.includes('%')");
+  expect(await resolution.innerText()).toBe(size);
+  await page.evaluate(`irradia.store.undo(); irradia.store.undo();`);
+  expect((await opened.picture()).hash).toBe(full.hash);
+  expect(opened.errors).toEqual([]);
+});
