@@ -351,9 +351,7 @@ describe('the bench', () => {
     expect(await reading.innerText()).toMatch(/^Worst: largest albedo/);
     await page.page.selectOption('[aria-label="Parameter to the right"]', 'haze');
     await page.page.selectOption('[aria-label="Parameter upwards"]', 'shade');
-    await page.page.waitForFunction(() =>
-      /haze.*shade/.test(document.querySelector('.heat-map-reading')?.textContent ?? ''),
-    );
+    await page.until(`/haze.*shade/.test(document.querySelector('.heat-map-reading')?.textContent ?? '')`);
     const { width, height } = (await picture.boundingBox()) ?? { width: 0, height: 0 };
     // The right edge and the bottom: the most of the first, the least of the other.
     const position = { x: width - 3, y: height - 3 };
