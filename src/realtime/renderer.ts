@@ -173,7 +173,7 @@ export class RealtimeRenderer {
     this.#inputs.begin(camera, width, height, settings, seconds);
     this.#follow(settings);
     if (this.#effects.needsSurfaces || this.#dataViews.needsSurfaces(show))
-      this.#inputs.surfaces.render(three, scene, camera, width, height);
+      this.#inputs.surfaces.render(three, scene, camera, width, height, this.#inputs.surfacesFrame);
     this.times.mark('surfaces');
     this.#effects.beforeScene(three, scene, camera);
     if (showsLight(show)) {

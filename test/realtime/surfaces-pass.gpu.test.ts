@@ -28,7 +28,7 @@ async function draw(pass: SurfacesPass, document: ReturnType<typeof ball>) {
   mirror.camera.aspect = 1;
   mirror.camera.updateProjectionMatrix();
   mirror.camera.updateMatrixWorld();
-  pass.render(three, mirror.scene, mirror.camera, SIZE, SIZE);
+  pass.render(three, mirror.scene, mirror.camera, SIZE, SIZE, 0);
   return mirror;
 }
 
@@ -68,7 +68,7 @@ test('motion is where a point is now less where it was, in normalised device coo
   for (let i = 0; i < before.length; i += 4) expect(Math.hypot(before[i]!, before[i + 1]!)).toBe(0);
   mirror.apply(ball(0.25));
   const { three } = maker.renderer;
-  pass.render(three, mirror.scene, mirror.camera, SIZE, SIZE);
+  pass.render(three, mirror.scene, mirror.camera, SIZE, SIZE, 1);
   const after = await read(pass, 1);
   const { camera } = mirror;
   const clip = new Matrix4().multiplyMatrices(camera.projectionMatrix, camera.matrixWorldInverse);

@@ -62,6 +62,7 @@ export class FrameInputs {
 
   readonly #viewProjection = new Matrix4();
   #settings: unknown = null;
+  #cuts = 0;
 
   /**
    * Takes the camera over; its matrices must be up to date.
@@ -80,6 +81,7 @@ export class FrameInputs {
     this.far.value = camera.far;
     const now = new Matrix4().multiplyMatrices(camera.projectionMatrix, camera.matrixWorldInverse);
     this.isCut = this.#settings === null || resized;
+    if (this.isCut) this.#cuts += 1;
     const same = !this.isCut && settings === this.#settings && now.equals(this.#viewProjection);
     this.steady = same ? this.steady + 1 : 0;
     this.#settings = settings;
@@ -87,6 +89,11 @@ export class FrameInputs {
     this.#viewProjection.copy(now);
     this.seconds.value = seconds;
     this.frameIndex.value += 1;
+  }
+
+  /** A number that follows on the last frame's, but after a cut. */
+  get surfacesFrame(): number {
+    return this.frameIndex.value + this.#cuts;
   }
 
   /** Something is not as it was that the settings do not tell, such as an image that has come. */

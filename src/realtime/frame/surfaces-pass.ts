@@ -1,12 +1,22 @@
 /** Depth, normal and motion of what the camera sees, before the scene is shaded. */
-import { mrt, normalView, vec4, velocity } from 'three/tsl';
+import {
+  cameraProjectionMatrix,
+  modelViewMatrix,
+  mrt,
+  normalView,
+  positionLocal,
+  uniform,
+  vec4,
+} from 'three/tsl';
 import {
   DepthTexture,
   FloatType,
   HalfFloatType,
+  Matrix4,
   NearestFilter,
   type Node,
   NodeMaterial,
+  type Object3D,
   type PerspectiveCamera,
   RenderTarget,
   type Scene,
@@ -21,9 +31,17 @@ import {
 export class SurfacesPass {
   readonly target: RenderTarget;
   readonly #material = new NodeMaterial();
+  /**
+   * World to clip space, and where objects were, when this pass was last drawn. three.js' own velocity takes its camera
+   * over once for each frame of the browser, whatever is drawn in it: a file's frames are drawn one after the other.
+   */
+  readonly #viewProjection = uniform(new Matrix4());
+  readonly #world = new WeakMap<Object3D, Matrix4>();
+  readonly #seen = new Set<Object3D>();
+  #drawn = Number.NEGATIVE_INFINITY;
   readonly #outputs = mrt({
     normal: vec4(normalView, 1),
-    velocity: vec4(velocity as unknown as Node<'vec2'>, 0, 1),
+    velocity: vec4(this.#velocity(), 0, 1),
   });
 
   constructor() {
@@ -51,14 +69,19 @@ export class SurfacesPass {
     return this.target.textures[1]!;
   }
 
+  /** @param frame its number: motion is from the frame before, and none if that was not drawn */
   render(
     three: WebGPURenderer,
     scene: Scene,
     camera: PerspectiveCamera,
     width: number,
     height: number,
+    frame: number,
   ): void {
     this.target.setSize(width, height);
+    const isFirst = frame !== this.#drawn + 1;
+    const now = new Matrix4().multiplyMatrices(camera.projectionMatrix, camera.matrixWorldInverse);
+    if (isFirst) this.#viewProjection.value.copy(now);
     const { overrideMaterial, background } = scene;
     scene.overrideMaterial = this.#material;
     scene.background = null;
@@ -69,6 +92,8 @@ export class SurfacesPass {
     const draw = three.getRenderObjectFunction();
     three.setRenderObjectFunction((object, ofScene, ofCamera, geometry, material, ...rest) => {
       this.#material.side = material.side;
+      if (isFirst) this.#world.delete(object);
+      this.#seen.add(object);
       three.renderObject(object, ofScene, ofCamera, geometry, material, ...rest);
     });
     three.setMRT(this.#outputs);
@@ -81,6 +106,26 @@ export class SurfacesPass {
     three.shadowMap.enabled = shadows;
     scene.overrideMaterial = overrideMaterial;
     scene.background = background;
+    this.#viewProjection.value.copy(now);
+    for (const object of this.#seen) {
+      const kept = this.#world.get(object) ?? new Matrix4();
+      this.#world.set(object, kept.copy(object.matrixWorld));
+    }
+    this.#seen.clear();
+    this.#drawn = frame;
+  }
+
+  /** In normalised device coordinates. */
+  #velocity(): Node<'vec2'> {
+    const world = uniform(new Matrix4()).onObjectUpdate(({ object }, self) => {
+      const { value } = self as unknown as { value: Matrix4 };
+      return value.copy(this.#world.get(object as Object3D) ?? (object as Object3D).matrixWorld);
+    }) as unknown as Node<'mat4'>;
+    const place = vec4(positionLocal, 1);
+    const now = (cameraProjectionMatrix as Node<'mat4'>).mul(modelViewMatrix as Node<'mat4'>).mul(place);
+    const before = (this.#viewProjection as unknown as Node<'mat4'>).mul(world).mul(place);
+    const ndc = (clip: Node) => (clip as Node<'vec4'>).xy.div((clip as Node<'vec4'>).w);
+    return ndc(now as unknown as Node).sub(ndc(before as unknown as Node)) as Node<'vec2'>;
   }
 
   dispose(): void {

@@ -78,6 +78,22 @@ test('what stands still is as it is, after one more frame', async () => {
   expect(pixels).toEqual((await maker.draw(square(false, 0))).pixels);
 });
 
+test('frames that follow one another at once, as those of a file, have their own motion', async () => {
+  const document = square(true, 0);
+  const mirror = await maker.mirror(document);
+  const from = (x: number) => {
+    mirror.camera.position.x = x;
+    // Another object each time: the frames of a turntable have settings of their own.
+    renderer.render(mirror, { ...document }, SIZE, 1 / 60);
+  };
+  renderer.cut();
+  for (const x of [0, 0, -0.33, 0]) from(x);
+  const blurred = row(await renderer.readRadiance());
+  mirror.dispose();
+  expect(blurred(46)).toBeGreaterThan(0.15);
+  expect(blurred(50)).toBeLessThan(0.99);
+});
+
 test('a camera that turns blurs what is far away, too', async () => {
   const document = scene({
     ...square(true, 0),
