@@ -1,7 +1,7 @@
 import { readFileSync } from 'node:fs';
 import { createRequire } from 'node:module';
 import { compileFunction } from 'node:vm';
-import { checkKtx2, cropAndFlip } from '../io/ktx2.ts';
+import { checkKtx2, cropAndFlip, withoutGeneratedCode } from '../io/ktx2.ts';
 import type { TextureImage } from '../scene/assets.ts';
 
 /** Basis Universal's transcoder as far as it is used. */
@@ -38,11 +38,11 @@ function loadBasis(): Promise<Basis> {
     const { resolve } = createRequire(import.meta.url);
     const read = (name: string) => readFileSync(resolve(`three/addons/libs/basis/${name}`));
     const module: { exports: unknown } = { exports: {} };
-    compileFunction(read('basis_transcoder.js').toString(), ['module', 'exports', 'process'])(
-      module,
-      module.exports,
-      undefined,
-    );
+    compileFunction(withoutGeneratedCode(read('basis_transcoder.js').toString()), [
+      'module',
+      'exports',
+      'process',
+    ])(module, module.exports, undefined);
     const start = module.exports as (options: { wasmBinary: Uint8Array }) => Promise<Basis>;
     const basis = await start({ wasmBinary: read('basis_transcoder.wasm') });
     basis.initializeBasis();

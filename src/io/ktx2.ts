@@ -44,3 +44,47 @@ export function cropAndFlip(
   }
   return { data, width, height };
 }
+
+/**
+ * The transcoder's glue between JavaScript and WebAssembly (Emscripten's embind) writes functions as text, which the page's
+ * policy forbids. These do the same without it. The names are those that are in scope where the text is made into a
+ * function: for a method of a class the types of the result, of `this` and of the arguments, and `cppInvokerFunc`, which
+ * calls `cppTargetFunc`; for a call out of WebAssembly the types of the arguments, which lie one after another at `args`.
+ */
+const WITHOUT_TEXT: readonly (readonly [generated: string, instead: string])[] = [
+  [
+    'newFunc(Function,args)(...closureArgs)',
+    `(function (...given) {
+  const destructors = [];
+  const wired = argTypes.map((type, i) =>
+    i === 0 || (i === 1 && !isClassMethodFunc) ? undefined : type.toWireType(destructors, i === 1 ? this : given[i - 2]));
+  const result = cppInvokerFunc(cppTargetFunc, ...wired.slice(isClassMethodFunc ? 1 : 2));
+  if (needsDestructorStack) runDestructors(destructors);
+  else
+    for (let i = isClassMethodFunc ? 1 : 2; i < argTypes.length; i++)
+      argTypes[i].destructorFunction?.(wired[i]);
+  return returns ? argTypes[0].fromWireType(result) : undefined;
+})`,
+  ],
+  [
+    'newFunc(Function,params)(...args)',
+    `(function (obj, func, destructorsRef, args) {
+  let at = args;
+  const given = types.map((type) => {
+    const value = type.readValueFromPointer(at);
+    at += type.argPackAdvance;
+    return value;
+  });
+  const result = kind === 1 ? new func(...given) : func.call(obj, ...given);
+  return retType.isVoid ? undefined : emval_returnValue(retType, destructorsRef, result);
+})`,
+  ],
+];
+
+/** @param transcoder the text of basis_transcoder.js */
+export function withoutGeneratedCode(transcoder: string): string {
+  return WITHOUT_TEXT.reduce(
+    (text, [generated, instead]) => text.replace(generated, () => instead),
+    transcoder,
+  );
+}
