@@ -2,6 +2,7 @@
  * A document as the browser keeps it: assets are named by the SHA-256 of their bytes, which are kept once,
  * whatever number of documents and versions use them.
  */
+import { decodeBase64 } from '../../scene/base64.ts';
 import { parseDocument } from '../../scene/document.ts';
 import type { Asset, Document } from '../../scene/schema.ts';
 
@@ -42,11 +43,16 @@ export async function hashAssets(document: Document): Promise<void> {
 }
 
 async function hashAsset({ name, mediaType, data }: Asset): Promise<HashedAsset> {
-  const answer = await fetch(`data:application/octet-stream;base64,${data}`);
-  const bytes = await answer.arrayBuffer();
+  const bytes = await bytesOfBase64(data);
   const digest = new Uint8Array(await crypto.subtle.digest('SHA-256', bytes));
   const sha256 = [...digest].map((byte) => byte.toString(16).padStart(2, '0')).join('');
   return { stored: { name, mediaType, sha256 }, blob: new Blob([bytes]) };
+}
+
+/** Of the two ways that do not run through the text character by character, the newer one is ten times as fast. */
+async function bytesOfBase64(data: string): Promise<BufferSource & BlobPart> {
+  if ('fromBase64' in Uint8Array) return decodeBase64(data);
+  return (await fetch(`data:application/octet-stream;base64,${data}`)).arrayBuffer();
 }
 
 /** The document with names in place of bytes. All its assets have to be hashed. */
