@@ -18,6 +18,7 @@ import {
 } from 'three/webgpu';
 import { exposureFor } from '../color/exposure.ts';
 import { fromHalf } from '../io/half.ts';
+import { LampLighting } from '../lights/many-lamps.ts';
 import { focusDistance } from '../scene/lens.ts';
 import type { Camera } from '../scene/schema.ts';
 import { DataViews } from './data-views.ts';
@@ -91,6 +92,7 @@ export class RealtimeRenderer {
   /** What the output pass shows, for effects that work on that. */
   readonly #picture = new RenderTarget(1, 1, { type: UnsignedByteType, depthBuffer: false });
   readonly #copy = new CopyPass();
+  readonly #lighting = new LampLighting();
   readonly #meter = new ExposureMeter();
   readonly #dataViews = new DataViews(this.#inputs);
   /** Of the last frame. */
@@ -109,6 +111,7 @@ export class RealtimeRenderer {
     // The output pass does both, so that three.js needs no third buffer for them.
     three.toneMapping = NoToneMapping;
     three.outputColorSpace = LinearSRGBColorSpace;
+    three.lighting = this.#lighting;
     // So that the figures are those of both halves of a frame.
     three.info.autoReset = false;
     this.#options = { samples, precision };
@@ -250,6 +253,7 @@ export class RealtimeRenderer {
 
   #follow(settings: FrameSettings): void {
     this.#effects.follow(this.three, settings, this.#dataViews.context(settings.view.show ?? 'picture'));
+    this.#lighting.drawsShadows = this.#effects.drawsShadows;
   }
 
   /** @param x @param y by how much the picture is moved, in normalised device coordinates */

@@ -52,6 +52,11 @@ export class EffectChain {
     return this.#entries.some(({ definition }) => definition.needsSurfaces);
   }
 
+  /** Whether materials ask for the shadows of single lamps. */
+  get drawsShadows(): boolean {
+    return 'shadows' in this.#told || 'contactShadow' in this.#told;
+  }
+
   get unsettled(): boolean {
     return this.#entries.some(({ effect }) => effect.unsettled === true);
   }

@@ -2,6 +2,7 @@
 import type { Node } from 'three/webgpu';
 import { glslFunction } from '../../../glsl/tsl.ts';
 import air from '../../../lights/air.glsl?raw';
+import lamp from '../../../lights/lamp.glsl?raw';
 
 type Float = Node<'float'>;
 type Vec2 = Node<'vec2'>;
@@ -101,6 +102,7 @@ vec2 airSample(float u, vec4 sphere, vec4 fog, vec3 o, vec3 d, vec2 way, vec4 pl
 
 /** What of a lamp's light is turned towards the camera at P, per unit of scattering. @param d the way from the camera */
 export const scattered = glslFunction(`${transmittance}
+${lamp}
 float triangleAngle(vec3 a, vec3 b, vec3 c) {
   // A. Van Oosterom and J. Strackee, 1983, "The Solid Angle of a Plane Triangle", equation 8. For unit vectors.
   return 2.0 * atan(abs(dot(a, cross(b, c))), 1.0 + dot(a, b) + dot(b, c) + dot(c, a));
@@ -115,20 +117,15 @@ vec3 scattered(vec3 P, vec3 d, vec4 sphere, vec4 fog, vec4 place, vec4 power, ve
     float r = max(length(toLamp), least);
     L = toLamp / r;
     far = r;
-    float cosine = -dot(axis.xyz, L);
     if (place.w > 1.5) {
-      if (cosine <= 0.0) return vec3(0.0);
+      if (dot(axis.xyz, L) >= 0.0) return vec3(0.0);
       vec3 a = normalize(toLamp - halfWidth - halfHeight);
       vec3 b = normalize(toLamp + halfWidth - halfHeight);
       vec3 c = normalize(toLamp + halfWidth + halfHeight);
       vec3 e = normalize(toLamp - halfWidth + halfHeight);
       light *= triangleAngle(a, b, c) + triangleAngle(a, c, e);
     } else {
-      float r2 = r * r;
-      float window = max(1.0 - r2 * r2 * power.w, 0.0);
-      float t = clamp((cosine - axis.w) * edge.y, 0.0, 1.0);
-      light *= (1.0 - edge.z - edge.w + edge.z / r + edge.w / r2) * window * window;
-      light *= pow(max(cosine, 1e-6), edge.x) * t * t * (3.0 - 2.0 * t);
+      light = lampIrradiance(L, 1.0 / r, power, axis, edge);
     }
   }
   if (light.x + light.y + light.z <= 0.0) return vec3(0.0);

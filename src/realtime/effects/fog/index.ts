@@ -85,6 +85,7 @@ class FogEffect implements Effect {
   readonly #maps = { atlas: dataTexture(), rows: dataTexture() };
   readonly #none = new DataTexture(new Float32Array(1), 1, 1, RedFormat, FloatType);
   readonly #light: Pass;
+  readonly #smoothed: Pass;
   readonly #result: Pass;
   #isTemporal = false;
 
@@ -97,6 +98,7 @@ class FogEffect implements Effect {
         fogTransmittance(this.#ball, this.#thickness, from, direction, distance),
     };
     this.#light = new Pass('fog light', this.#march());
+    this.#smoothed = new Pass('fog light smoothed', this.#smooth());
     this.#result = new Pass('fog', this.#compose());
   }
 
@@ -126,6 +128,7 @@ class FogEffect implements Effect {
   afterScene(renderer: WebGPURenderer, input: RenderTarget): RenderTarget {
     const { x, y } = this.#guide.size.value;
     this.#light.render(renderer, x, y);
+    this.#smoothed.render(renderer, x, y);
     this.#scene.value = input.texture;
     return this.#result.render(renderer, input.width, input.height);
   }
@@ -133,6 +136,7 @@ class FogEffect implements Effect {
   dispose(): void {
     releaseGuide(this.#inputs, this.#guide);
     this.#light.dispose();
+    this.#smoothed.dispose();
     this.#result.dispose();
     this.#lamps.texture.dispose();
     this.#none.dispose();
@@ -232,28 +236,63 @@ class FogEffect implements Effect {
     })();
   }
 
-  /** The lamps' light of the texels around, by how near they are to this pixel's distance. */
+  /** The mean over 3 x 3 texels of a surface: among them the noise is even. */
+  #smooth(): Node {
+    return Fn(() => {
+      const place = this.#guide.texel(uv() as Vec2);
+      const distance = keptFloat(this.#guide.sample(place).w as Float);
+      return vec4(
+        this.#near(
+          this.#light,
+          distance,
+          AROUND.map((offset) => [vec2(...offset), float(1)]),
+        ),
+        1,
+      );
+    })();
+  }
+
+  /** The smoothed light between the texels around. */
   #brought(distance: Float): Vec3 {
-    const light = texelsOf(this.#light);
-    const at = (uv() as Vec2).mul(this.#guide.size).toVar() as Vec2;
-    const centre = kept2(at.floor().add(0.5) as Vec2);
-    const off = kept2(at.sub(centre) as Vec2);
+    const at = (uv() as Vec2).mul(this.#guide.size).sub(0.5).toVar() as Vec2;
+    const part = kept2(at.fract() as Vec2);
+    // From the texel that the pixel is in to the corners of the square of texels' centres that it is in.
+    const corner = kept2(at.floor().sub((uv() as Vec2).mul(this.#guide.size).floor()) as Vec2);
+    const taps = CORNERS.map(([x, y]): Tap => {
+      const weight = (x ? part.x : part.x.oneMinus()).mul(y ? part.y : part.y.oneMinus());
+      return [corner.add(vec2(x, y)) as Vec2, weight as Float];
+    });
+    return this.#near(this.#smoothed, distance, taps);
+  }
+
+  /** The weighted mean of texels, of which those at another distance hardly count. */
+  #near(pass: Pass, distance: Float, taps: readonly Tap[]): Vec3 {
+    const light = texelsOf(pass);
+    const centre = kept2((uv() as Vec2).mul(this.#guide.size).floor().add(0.5) as Vec2);
     const sum = vec3(0).toVar();
     const weights = float(0).toVar();
-    for (const x of [-1, 0, 1]) {
-      for (const y of [-1, 0, 1]) {
-        const place = centre.add(vec2(x, y)).div(this.#guide.size).toVar() as Vec2;
-        // A tent that reaches a texel and a half: any three neighbours' noise is even.
-        const tent = vec2(1.5).sub(vec2(x, y).sub(off).abs()).max(0);
-        const apart = this.#guide.sample(place).w.sub(distance).div(distance.mul(TOLERANCE)) as Float;
-        const weight = tent.x.mul(tent.y).mul(apart.mul(apart).negate().exp2().add(1e-4)).toVar();
-        sum.addAssign(light.sample(place).rgb.mul(weight));
-        weights.addAssign(weight);
-      }
+    for (const [offset, share] of taps) {
+      const place = centre.add(offset).div(this.#guide.size).toVar() as Vec2;
+      const apart = this.#guide.sample(place).w.sub(distance).div(distance.mul(TOLERANCE)) as Float;
+      // Never 0: what no texel belongs to takes the mean.
+      const weight = share.add(1e-3).mul(apart.mul(apart).negate().exp2().add(1e-4)).toVar();
+      sum.addAssign(light.sample(place).rgb.mul(weight));
+      weights.addAssign(weight);
     }
-    return sum.div(weights.max(1e-9)) as unknown as Vec3;
+    return sum.div(weights) as unknown as Vec3;
   }
 }
+
+/** A texel by its offset, and its weight. */
+type Tap = readonly [offset: Vec2, weight: Float];
+
+const AROUND = [-1, 0, 1].flatMap((y) => [-1, 0, 1].map((x) => [x, y] as const));
+const CORNERS = [
+  [0, 0],
+  [1, 0],
+  [0, 1],
+  [1, 1],
+] as const;
 
 /** Kept where it is computed; see run() in src/material/statements.ts. */
 function kept(value: Vec3): Vec3 {
