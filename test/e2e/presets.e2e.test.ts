@@ -78,3 +78,38 @@ test('while things move fewer pixels are drawn, to hold the target; a picture th
   expect((await opened.picture()).hash).toBe(full.hash);
   expect(opened.errors).toEqual([]);
 });
+
+/** As if the GPU were one, and took so many ms for a plain frame. */
+const fastDevice = (milliseconds: number) => `
+  const info = { vendor: 'acme', architecture: '', device: '', description: '' };
+  Object.defineProperty(GPUDevice.prototype, 'adapterInfo', { get: () => info });
+  let lab;
+  let viewport = null;
+  Object.defineProperty(window, 'irradia', {
+    get: () => lab,
+    set(value) {
+      lab = Object.defineProperty(value, 'viewport', {
+        get: () => viewport,
+        set(made) {
+          viewport = Object.assign(made, { measureFrame: async () => ${milliseconds} });
+        },
+      });
+    },
+  });`;
+
+test('a shipped scene gets the preset of the device after a plain first frame, and nothing to undo or to keep', async () => {
+  const opened = await lab.open({
+    query: '?scene=thesis-demo02',
+    init: fastDevice(3),
+    width: 640,
+    height: 400,
+  });
+  await opened.ready();
+  await opened.until('irradia.store.document.effects.shadows.enabled');
+  expect(await opened.page.locator('select[aria-label=Preset]').inputValue()).toBe('medium');
+  const { colors } = await opened.picture();
+  expect(colors).toBeGreaterThan(50);
+  expect(await opened.page.evaluate('irradia.store.canUndo')).toBe(false);
+  expect(await opened.page.locator('[data-action=undo]').isDisabled()).toBe(true);
+  expect(opened.errors).toEqual([]);
+});
