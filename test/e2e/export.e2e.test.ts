@@ -1,6 +1,7 @@
 /** What leaves the page: pictures of any size, the scene as GLB, a material as a file and as code. */
 import { readFileSync } from 'node:fs';
 import { describe, expect, it } from 'vitest';
+import { decodeExr } from '../../src/io/exr.ts';
 import { readGlb } from '../../src/io/gltf/glb.ts';
 import { type LabPage, openLab } from './lab.ts';
 
@@ -32,6 +33,16 @@ describe('export', () => {
     await dialog.waitFor({ state: 'detached' });
     expect(await page.page.locator('.still').count()).toBe(0);
     expect((await page.picture()).colors).toBeGreaterThan(50);
+
+    await page.menu('File', 'Picture…');
+    await fill('Width', 60);
+    await fill('Height', 40);
+    await dialog.locator('select[aria-label=Format]').selectOption('exr');
+    const exr = await downloaded(() => dialog.locator('text="Export"').click());
+    const { width, height, channels } = decodeExr(exr.bytes, exr.name);
+    expect([width, height, channels.length]).toEqual([60, 40, 3]);
+    expect(Math.max(...channels.flatMap(({ pixels }) => [...pixels]))).toBeGreaterThan(0.1);
+    await dialog.waitFor({ state: 'detached' });
     expect(page.errors).toEqual([]);
   });
 
