@@ -29,7 +29,7 @@ import {
 /** The part of a cascade's width, along its edge, over which it goes over into the next. */
 const BLEND = 0.1;
 
-/** The finest cascade that has the point; near its edge the next one in more and more pixels. */
+/** The finest cascade that has all that can shade the point; near its edge the next one in more and more pixels. */
 function findCascade(
   read: ReturnType<typeof readRow>,
   cascades: Float,
@@ -38,12 +38,15 @@ function findCascade(
   onFound: (map: ReturnType<typeof mapAt>, number: Float) => void,
 ): void {
   const isFound = int(0).toVar();
+  const highest = read(3).w as Float;
+  const reach = highest.sub(x.z).max(0).mul(read(0).w).toVar();
   repeat(cascades, (i) => {
     If(isFound.equal(0), () => {
       const map = mapAt(read, i.toInt() as unknown as Int);
       const at = vec2(x.x.mul(map.place.x).add(map.place.y), x.y.mul(map.place.z).add(map.place.w));
       const size = map.bounds.zw.sub(map.bounds.xy).max(1);
-      const inner = at.sub(map.bounds.xy).min(map.bounds.zw.sub(at)).div(size.mul(BLEND)).toVar();
+      const beside = reach.mul(map.place.x.max(map.place.z.negate())).add(FILTER + 1);
+      const inner = at.sub(map.bounds.xy).min(map.bounds.zw.sub(at)).sub(beside).div(size.mul(BLEND)).toVar();
       const depth = inner.x.min(inner.y);
       const isLast = i.add(1).greaterThanEqual(cascades);
       If(depth.greaterThan(noise).or(isLast), () => {
