@@ -70,6 +70,8 @@ export function lightFromEverywhere(
   sampler.start(V, N, X, Y);
   // Of wide lobes and of highlights; without anything in the way all is in the first.
   const [wide, sharp, weights] = [vec3(0).toVar(), vec3(0).toVar(), vec3(0).toVar()] as [Vec3, Vec3, Vec3];
+  /** What highlights would see where something is in the way. */
+  const closed = vec3(0).toVar() as Vec3;
   const add = (sum: Vec3, value: Vec3) =>
     (sum as unknown as { addAssign(value: Node): void }).addAssign(value);
   repeat(samples, (i) => {
@@ -89,15 +91,27 @@ export function lightFromEverywhere(
         const incident = weight.mul(radiance).toVar() as Vec3;
         const part = sharpness(density).toVar() as Float;
         add(wide, incident.mul(part.oneMinus()) as Vec3);
-        const towards = tracedLight?.reflections ? float(1) : openTowards(open, L);
-        add(sharp, incident.mul(part).mul(towards) as Vec3);
+        const highlight = incident.mul(part).toVar() as Vec3;
+        if (tracedLight?.reflections) {
+          add(sharp, highlight);
+          return;
+        }
+        const towards = openTowards(open, L).toVar() as Float;
+        add(sharp, highlight.mul(towards) as Vec3);
+        add(closed, highlight.mul(towards.oneMinus()) as Vec3);
       });
     });
   });
   const mean = albedo ? albedo.div(weights.max(1e-9)) : float(1).div(samples);
   const reflectance = albedo ?? (weights.div(samples) as Vec3);
-  const arrives = !open || tracedLight?.indirectLight ? wide : wide.mul(reaching(open, reflectance));
-  const far = arrives.add(sharp).mul(mean) as Vec3;
+  let arrives = wide.add(sharp) as Vec3;
+  if (open) {
+    const part = reaching(open, reflectance).toVar() as Vec3;
+    // What is in the way is taken to reflect as the surface does, and to get as much light.
+    const bounced = closed.mul(reflectance).mul(part).mul(open.bounces);
+    arrives = (tracedLight?.indirectLight ? wide : wide.mul(part)).add(sharp).add(bounced) as Vec3;
+  }
+  const far = arrives.mul(mean) as Vec3;
   return (tracedLight ? far.add(reflectance.mul(traced)).max(0) : far) as Vec3;
 }
 

@@ -5,7 +5,7 @@
  * behind things of a thickness (O. Therrien, Y. Levesque and G. Gilet, 2023, "Screen Space Indirect Lighting with
  * Visibility Bitmask", The Visual Computer).
  */
-import { float, If, select, uint, uniform, uv, vec2, vec3, vec4 } from 'three/tsl';
+import { atan, float, If, select, uint, uniform, uv, vec2, vec3, vec4 } from 'three/tsl';
 import type { Node, UniformNode, WebGPURenderer } from 'three/webgpu';
 import type { FrameContext } from '../../material/frame-context.ts';
 import { repeat } from '../../material/statements.ts';
@@ -32,6 +32,8 @@ const FADE = 0.25;
  * may seem 5e-4 of their distance from each other above it.
  */
 const LIFT = 1e-3;
+/** Of the normal in a slice: where it is shorter, the slice hardly counts. */
+const LEAST_LENGTH = 0.05;
 /** Pixels each way that are averaged. */
 const FILTER = 2;
 /** How far from the pixel's plane a neighbour may be, as a part of its distance. */
@@ -60,10 +62,10 @@ class AmbientOcclusion implements Effect {
       openSky: () => {
         const found = atFragment(this.#guide, this.#filtered.target.texture, (texel) =>
           vec4(texel.x, fromOctahedron(texel.yz as Vec2)),
-        ).toVar() as Vec4;
+        );
         return {
           visibility: found.x as Float,
-          direction: found.yzw.normalize().toVar() as Vec3,
+          direction: found.yzw.normalize() as Vec3,
           bounces: this.#numbers.bounces,
         };
       },
@@ -137,9 +139,19 @@ function visibility(guide: Guide, numbers: Numbers): Vec4 {
           .acos()
           .mul(select(projected.dot(O).lessThan(0), float(-1), float(1)))
           .toVar() as Float;
+        const T = O.mul(n.cos()).sub(V.mul(n.sin())).toVar() as Vec3;
         const closed = uint(0).toVar() as Uint;
         for (const side of [1, -1]) {
           const way = reach.mul(side).toVar() as Vec2;
+          /**
+           * The angle from the normal to a point, in the slice; what is below the horizon is at it. A texel's centre is beside the
+           * slice: by its height over the surface's plane it is where it would be in it, so a plane has nothing above itself.
+           */
+          const fromNormal = (d: Vec3): Float => {
+            const height = d.dot(N).div(length.max(LEAST_LENGTH)).toVar() as Float;
+            const angle = atan(d.dot(T), height.max(1e-9)) as unknown as Float;
+            return select(height.greaterThan(0), angle, float((side * Math.PI) / 2)) as unknown as Float;
+          };
           const room = select(
             way.greaterThan(vec2(0)) as never,
             centre.oneMinus(),
@@ -163,19 +175,10 @@ function visibility(guide: Guide, numbers: Numbers): Vec4 {
               const strength = radius.sub(distance).div(radius.mul(FADE)).clamp(0, 1).toVar() as Float;
               If(strength.greaterThan(0), () => {
                 const back = front.add(S.normalize().mul(thickness)).toVar() as Vec3;
-                const first = front.dot(V).div(distance).clamp(-1, 1).acos().toVar() as Float;
-                const last = back.dot(V).div(back.length().max(1e-9)).clamp(-1, 1).acos() as Float;
-                const sectorOf = (theta: Float) =>
-                  theta
-                    .mul(side)
-                    .sub(n)
-                    .div(Math.PI)
-                    .add(0.5)
-                    .clamp(0, 1)
-                    .mul(SECTORS)
-                    .add(shift)
-                    .floor()
-                    .min(SECTORS) as Float;
+                const sectorOf = (beta: Float) =>
+                  beta.div(Math.PI).add(0.5).mul(SECTORS).add(shift).floor().min(SECTORS) as Float;
+                const first = fromNormal(front).toVar() as Float;
+                const last = fromNormal(back) as Float;
                 const a = sectorOf(first).toVar() as Float;
                 const b = sectorOf(first.add(last.sub(first).mul(strength)) as Float).toVar() as Float;
                 const low = a

@@ -21,6 +21,13 @@ const TOLERANCE = 0.005;
  * @param decode from a texel to what is averaged
  */
 export function atFragment(guide: Guide, target: Texture, decode: (texel: Vec4) => Vec4): Vec4 {
+  // Read here, at the top level: three.js would move it to where it is needed first, into loops too.
+  const kept = vec4(0).toVar();
+  kept.assign(gathered(guide, target, decode));
+  return kept as unknown as Vec4;
+}
+
+function gathered(guide: Guide, target: Texture, decode: (texel: Vec4) => Vec4): Vec4 {
   return inline(() => {
     const place = (screenUV as unknown as Vec2).mul(guide.size).sub(0.5).toVar() as Vec2;
     const corner = place.floor().toVar() as Vec2;
