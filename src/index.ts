@@ -30,6 +30,7 @@ export { createEvaluator, type Evaluator, type Frame, LOCAL_FRAME, type Vector3 
 export { compileModel, type Model } from './glsl/model.ts';
 export { modelFunction, modelPdf, modelSampler, type ParameterNodes } from './glsl/tsl.ts';
 export type { Falloff } from './lights/falloff.ts';
+export { LampLighting } from './lights/many-lamps.ts';
 export { BrdfPointLight } from './lights/point-light.ts';
 export { BrdfRectLight } from './lights/rect-light.ts';
 export { BrdfSpotLight } from './lights/spot-light.ts';
