@@ -28,7 +28,15 @@ describe('the document’s lights', () => {
     const position = [1, 2, 3];
     const reader = await read({
       lights: {
-        point: { type: 'point', intensity: 8, color: [1, 0.5, 0], position, falloff: 'linear', range: 2 },
+        point: {
+          type: 'point',
+          intensity: 8,
+          color: [1, 0.5, 0],
+          position,
+          falloff: 'linear',
+          range: 2,
+          radius: 0.25,
+        },
         spot: {
           type: 'spot',
           intensity: 3,
@@ -39,7 +47,13 @@ describe('the document’s lights', () => {
           exponent: 5,
           penumbra: 0.5,
         },
-        sun: { type: 'directional', illuminance: 4, position: [0, 3, 4], target: [0, 0, 0] },
+        sun: {
+          type: 'directional',
+          illuminance: 4,
+          position: [0, 3, 4],
+          angularDiameter: 90,
+          castShadow: false,
+        },
       },
     });
     expect(reader.uint4(1)[2]).toBe(2);
@@ -47,7 +61,8 @@ describe('the document’s lights', () => {
     expect(reader.uint4(2)[3]).toBe(NONE);
     const point = reader.light(0);
     expect(reader.uint4(point).slice(0, 2)).toEqual([0, 1]);
-    close(reader.float4(point + 1), [8, 4, 0, 0]);
+    close(reader.float4(point + 1), [8, 4, 0, 0.25]);
+    expect(reader.uint4(point)[2]).toBe(0);
     close(reader.float4(point + 2), [1, 2, 3, 1 / 16]);
     const spot = reader.light(1);
     expect(reader.uint4(spot).slice(0, 2)).toEqual([1, 0]);
@@ -58,8 +73,9 @@ describe('the document’s lights', () => {
     close(reader.float4(spot + 3), [0, 0, -1, 0.5]);
     close(reader.float4(spot + 4), [5, 1 / (Math.cos(Math.PI / 6) - 0.5), 0, 0]);
     const sun = reader.infiniteLight(0);
-    expect(reader.uint4(sun)[0]).toBe(4);
-    close(reader.float4(sun + 1), [4, 4, 4, 0]);
+    // It passes through everything.
+    expect([reader.uint4(sun)[0], reader.uint4(sun)[2]]).toEqual([4, 1]);
+    close(reader.float4(sun + 1), [4, 4, 4, Math.tan(Math.PI / 4)]);
     close(reader.float4(sun + 2), [0, 0.6, 0.8, 0]);
   });
 
