@@ -27,8 +27,6 @@ import {
   RedFormat,
   type RenderTarget,
   type Scene,
-  type Texture,
-  type TextureNode,
   Vector3,
   Vector4,
   type WebGPURenderer,
@@ -40,8 +38,10 @@ import type { FrameInputs } from '../../frame/inputs.ts';
 import { inputTexture, Pass } from '../../frame/pass.ts';
 import { type Guide, NOTHING, positionAt, releaseGuide, takeGuide } from '../screen-space/guide.ts';
 import { gradientNoise } from '../screen-space/noise.ts';
+import { brought, smoothed } from './bring.ts';
 import { airSample, fogTransmittance, litWay, scattered } from './functions.ts';
 import { AirLamps } from './lamps.ts';
+import { dataTexture, kept, keptFloat } from './nodes.ts';
 import { boundingSphere } from './sphere.ts';
 import { seesLamp } from './visibility.ts';
 
@@ -59,8 +59,6 @@ const LEAST_DISTANCE = 1e-4;
 const SMOOTH_SHARE = 0.25;
 /** but no fewer. */
 const LEAST_STEPS = 4;
-/** By which part of the distance what is brought up may differ. */
-const TOLERANCE = 0.05;
 /** The golden ratio's: frames' shifts of the noise fill 0..1 evenly. */
 const TURN = (Math.sqrt(5) - 1) / 2;
 /** A float that no picture has more of. */
@@ -98,7 +96,7 @@ class FogEffect implements Effect {
         fogTransmittance(this.#ball, this.#thickness, from, direction, distance),
     };
     this.#light = new Pass('fog light', this.#march());
-    this.#smoothed = new Pass('fog light smoothed', this.#smooth());
+    this.#smoothed = new Pass('fog light smoothed', smoothed(this.#guide, this.#light));
     this.#result = new Pass('fog', this.#compose());
   }
 
@@ -231,98 +229,13 @@ class FogEffect implements Effect {
       const left = keptFloat(fogTransmittance(this.#ball, this.#thickness, o, direction, far));
       const behind = this.#scene.sample(uv()).min(MOST).toVar() as unknown as Vec4;
       const even = this.#albedo.mul(this.#ambient).mul(left.oneMinus()) as Vec3;
-      const color = behind.rgb.mul(left).add(even).add(this.#brought(distance));
+      const color = behind.rgb
+        .mul(left)
+        .add(even)
+        .add(brought(this.#guide, this.#smoothed, distance));
       return vec4(color, behind.a.oneMinus().mul(left).oneMinus());
     })();
   }
-
-  /** The mean over 3 x 3 texels of a surface: among them the noise is even. */
-  #smooth(): Node {
-    return Fn(() => {
-      const place = this.#guide.texel(uv() as Vec2);
-      const distance = keptFloat(this.#guide.sample(place).w as Float);
-      return vec4(
-        this.#near(
-          this.#light,
-          distance,
-          AROUND.map((offset) => [vec2(...offset), float(1)]),
-        ),
-        1,
-      );
-    })();
-  }
-
-  /** The smoothed light between the texels around. */
-  #brought(distance: Float): Vec3 {
-    const at = (uv() as Vec2).mul(this.#guide.size).sub(0.5).toVar() as Vec2;
-    const part = kept2(at.fract() as Vec2);
-    // From the texel that the pixel is in to the corners of the square of texels' centres that it is in.
-    const corner = kept2(at.floor().sub((uv() as Vec2).mul(this.#guide.size).floor()) as Vec2);
-    const taps = CORNERS.map(([x, y]): Tap => {
-      const weight = (x ? part.x : part.x.oneMinus()).mul(y ? part.y : part.y.oneMinus());
-      return [corner.add(vec2(x, y)) as Vec2, weight as Float];
-    });
-    return this.#near(this.#smoothed, distance, taps);
-  }
-
-  /** The weighted mean of texels, of which those at another distance hardly count. */
-  #near(pass: Pass, distance: Float, taps: readonly Tap[]): Vec3 {
-    const light = texelsOf(pass);
-    const centre = kept2((uv() as Vec2).mul(this.#guide.size).floor().add(0.5) as Vec2);
-    const sum = vec3(0).toVar();
-    const weights = float(0).toVar();
-    for (const [offset, share] of taps) {
-      const place = centre.add(offset).div(this.#guide.size).toVar() as Vec2;
-      const apart = this.#guide.sample(place).w.sub(distance).div(distance.mul(TOLERANCE)) as Float;
-      // Never 0: what no texel belongs to takes the mean.
-      const weight = share.add(1e-3).mul(apart.mul(apart).negate().exp2().add(1e-4)).toVar();
-      sum.addAssign(light.sample(place).rgb.mul(weight));
-      weights.addAssign(weight);
-    }
-    return sum.div(weights) as unknown as Vec3;
-  }
-}
-
-/** A texel by its offset, and its weight. */
-type Tap = readonly [offset: Vec2, weight: Float];
-
-const AROUND = [-1, 0, 1].flatMap((y) => [-1, 0, 1].map((x) => [x, y] as const));
-const CORNERS = [
-  [0, 0],
-  [1, 0],
-  [0, 1],
-  [1, 1],
-] as const;
-
-/** Kept where it is computed; see run() in src/material/statements.ts. */
-function kept(value: Vec3): Vec3 {
-  const variable = vec3(0).toVar();
-  variable.assign(value);
-  return variable as unknown as Vec3;
-}
-
-function kept2(value: Vec2): Vec2 {
-  const variable = vec2(0).toVar();
-  variable.assign(value);
-  return variable as unknown as Vec2;
-}
-
-function keptFloat(value: Float): Float {
-  const variable = float(0).toVar();
-  variable.assign(value);
-  return variable as unknown as Float;
-}
-
-/** Read texel by texel: there is no transform of texture coordinates. */
-function dataTexture(): TextureNode {
-  const node = inputTexture() as unknown as TextureNode & { setUpdateMatrix(value: boolean): TextureNode };
-  return node.setUpdateMatrix(false);
-}
-
-function texelsOf({ target }: Pass): TextureNode<'vec4'> {
-  const node = inputTexture();
-  node.value = target.texture as Texture;
-  return node;
 }
 
 export const fog: EffectDefinition = {
