@@ -92,9 +92,12 @@ describe('estimators', () => {
     }
   });
 
-  it('agree in fog', async () => {
-    const fog = { density: 0.3, color: [0.9, 0.8, 0.7] as [number, number, number], anisotropy: 0.4 };
-    const document = { ...corner(), fog };
+  it.each([
+    ['even fog', { height: 0, base: 0 }],
+    ['fog that thins with height', { height: 0.4, base: -0.7 }],
+  ])('agree in %s', async (_name, shape) => {
+    const color: [number, number, number] = [0.9, 0.8, 0.7];
+    const document = { ...corner(), fog: { density: 0.3, color, anisotropy: 0.4, ...shape } };
     const tracer = testTracer();
     await tracer.load(await packDocument(document));
     const mis = await estimate(tracer, document, 'mis', 16);
