@@ -1,20 +1,14 @@
-/** `npm run bench`: prints what docs/benchmarks.md keeps. All on the software GPU of the tests' browser. */
+/** `npm run bench [-- spheres effects lab views]`: prints what docs/benchmarks.md keeps. All on the software GPU of the tests' browser. */
 import { openHarness } from '../test/support/harness.ts';
+import { benchEffects } from './effects.ts';
 import { measureLab } from './lab.ts';
+import { median } from './median.ts';
 import type { SpheresRequest, SpheresResult } from './spheres.page.ts';
 import { measureViews } from './views.ts';
 
 const FRAMES = 25;
 const NAVIGATIONS = 5;
 const DRAG_MS = 3000;
-
-function median(values: readonly number[]): number {
-  const sorted = [...values].sort((a, b) => a - b);
-  const middle = sorted.length >> 1;
-  return sorted.length % 2
-    ? (sorted[middle] as number)
-    : ((sorted[middle - 1] as number) + (sorted[middle] as number)) / 2;
-}
 
 async function benchSpheres(): Promise<void> {
   const harness = await openHarness(new URL('./spheres.page.ts', import.meta.url));
@@ -60,6 +54,7 @@ async function benchViews(): Promise<void> {
   }
 }
 
-await benchSpheres();
-await benchLab();
-await benchViews();
+const benches = { spheres: benchSpheres, effects: benchEffects, lab: benchLab, views: benchViews };
+const asked = process.argv.slice(3);
+for (const [name, bench] of Object.entries(benches))
+  if (asked.length === 0 || asked.includes(name)) await bench();

@@ -4,8 +4,8 @@ import { type PresetName, presetNames } from '../scene/effect-presets.ts';
 /** What a frame may take, in ms: of the 16.7 of a screen with 60 pictures a second, the rest is the browser's. */
 const BUDGET_MS = 10;
 
-/** Frames by preset as multiples of the plain one; see docs/effects.md, "What they cost". */
-const COST: Readonly<Record<PresetName, number>> = { low: 1, medium: 3, high: 8, ultra: 16 };
+/** Frames by preset as multiples of the plain one; see docs/benchmarks.md, "Effects". */
+const COST: Readonly<Record<PresetName, number>> = { low: 1, medium: 5, high: 10, ultra: 14 };
 
 /** @param milliseconds that the GPU takes for a plain frame */
 export function devicePreset(milliseconds: number): PresetName {

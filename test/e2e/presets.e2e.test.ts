@@ -100,7 +100,7 @@ const fastDevice = (milliseconds: number) => `
 test('a shipped scene gets the preset of the device after a plain first frame, and nothing to undo or to keep', async () => {
   const opened = await lab.open({
     query: '?scene=thesis-demo02',
-    init: fastDevice(3),
+    init: fastDevice(2),
     width: 640,
     height: 400,
   });

@@ -46,5 +46,5 @@ test('one slow frame changes nothing; less to draw brings the pixels back; no ta
 });
 
 test('a fast device gets more than a slow one', () => {
-  expect([0.2, 1, 3, 30].map(devicePreset)).toEqual(['ultra', 'high', 'medium', 'low']);
+  expect([0.2, 1, 2, 30].map(devicePreset)).toEqual(['ultra', 'high', 'medium', 'low']);
 });

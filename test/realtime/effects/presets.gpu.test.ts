@@ -65,6 +65,7 @@ test('the GPU’s times are told by effect, and nothing is measured unless it is
   renderer.times.on = false;
   expect(times?.map(({ name }) => name).sort()).toEqual([
     'ambientOcclusion',
+    'antialiasing',
     'output',
     'scene',
     'shadows',
