@@ -9,7 +9,6 @@ import { encodePng } from '../../src/io/png.ts';
 import { encodeBase64 } from '../../src/scene/base64.ts';
 import { createDocument, serializeDocument } from '../../src/scene/document.ts';
 import { ktx2 } from '../io/ktx2-writer.ts';
-import { quadGlb } from './glb.ts';
 import { type LabPage, openLab } from './lab.ts';
 
 const lab = await openLab();
