@@ -30,6 +30,9 @@ import { withGpuTime } from './gpu-time.ts';
 import type { InspectorPanel } from './panel.ts';
 import { presetChoice } from './preset.ts';
 
+/** What fog looks like and how it is drawn are in one place. */
+const otherEffects = effectNames.filter((name) => name !== 'fog');
+
 export function sceneStructure(document: Document): string {
   return `${document.environment.source.type} ${document.background.type}`;
 }
@@ -98,9 +101,17 @@ export function scenePanel(session: Session): InspectorPanel {
         ),
       ),
       fold('Camera', ...cameraRows()),
-      fold('Fog', ...part('fog', fogShape, fogDefaults)),
+      withGpuTime(
+        session,
+        'fog',
+        fold(
+          'Fog',
+          ...part('fog', fogShape, fogDefaults),
+          ...part('effects.fog', effectShapes.fog, effectsDefaults.fog),
+        ),
+      ),
       fold('Effects', single(presetChoice(session))),
-      ...effectNames.map((name) =>
+      ...otherEffects.map((name) =>
         withGpuTime(
           session,
           name,
