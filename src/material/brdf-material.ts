@@ -3,11 +3,13 @@ import {
   type BufferGeometry,
   Color,
   Euler,
+  HalfFloatType,
   LightingNode,
   type Node,
   type NodeBuilder,
   NodeMaterial,
   type NormalMapTypes,
+  type Renderer,
   type Scene,
   TangentSpaceNormalMap,
   type Texture,
@@ -30,6 +32,9 @@ import { turnTangentWithInstance } from './instance-tangent.ts';
 import { BrdfLightingModel } from './lighting-model.ts';
 import { type Channel, derivedNodes, type ParameterMap, parameterNodes } from './parameter-nodes.ts';
 import { dependsOnTangent, turnsWithTangent } from './tangent-dependence.ts';
+
+/** (2 - 2^-10) 2^15. */
+const BRIGHTEST_HALF = 65504;
 
 /** What else is near lights the surface, even where there are no lamps: three.js must ask the lighting model. */
 class NearLightNode extends LightingNode {
@@ -288,6 +293,14 @@ export class BrdfMaterial extends NodeMaterial {
       environment: context.brdfEnvironment ?? null,
       hasTable: even,
     });
+  }
+
+  /** What a half float cannot hold is as bright as it can: GPUs make infinities of it, or NaN, which filters spread. */
+  override setupOutput(builder: NodeBuilder, outputNode: Node): Node {
+    const color = super.setupOutput(builder, outputNode) as Node<'vec4'>;
+    const { renderer } = builder as unknown as { renderer: Renderer };
+    if (renderer.getRenderTarget()?.texture.type !== HalfFloatType) return color;
+    return vec4(color.rgb.clamp(0, BRIGHTEST_HALF), color.a);
   }
 
   /** Colours of vertices, instances and batches, which multiply the model's first colour; null if there are none. */
