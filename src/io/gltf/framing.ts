@@ -1,5 +1,6 @@
 /** Where a camera stands to see all of a model. */
 import type { Camera } from '../../scene/schema.ts';
+import { cameraSchema } from '../../scene/stage-schema.ts';
 
 type Vector = readonly [number, number, number];
 
@@ -13,6 +14,7 @@ const FROM: Vector = [0.45, 0.3, 0.84];
 /** Air around the model. */
 const MARGIN = 1.05;
 
+/** @returns the camera as it is where no camera can stand: the model is larger than a document's world */
 export function framed(camera: Camera, { min, max }: Bounds): Camera {
   const center = min.map((value, axis) => (value + max[axis]!) / 2) as [number, number, number];
   const radius = Math.max(1e-6, Math.hypot(...max.map((value, axis) => value - min[axis]!)) / 2);
@@ -20,7 +22,7 @@ export function framed(camera: Camera, { min, max }: Bounds): Camera {
   const distance = (MARGIN * radius) / Math.sin((fov * Math.PI) / 360);
   const length = Math.hypot(...FROM);
   const near = Math.min(1e5, Math.max(1e-4, (distance - radius) / 20));
-  return {
+  const seeing: Camera = {
     ...camera,
     fov,
     target: center,
@@ -32,4 +34,5 @@ export function framed(camera: Camera, { min, max }: Bounds): Camera {
     near,
     far: Math.min(1e7, Math.max(2 * near, distance + 20 * radius)),
   };
+  return cameraSchema.safeParse(seeing).success ? seeing : camera;
 }

@@ -17,6 +17,7 @@ test('what is left out has its default, or is left to the document', () => {
     until: null,
     first: 0,
     maxDepth: null,
+    preset: null,
     seed: null,
     clamp: null,
     denoise: false,
