@@ -90,7 +90,7 @@ test('which of the sun’s shadow maps a pixel has, and how much of its surround
   expect(at(cascades, 20, 16)).toBeGreaterThanOrEqual(1);
   expect(at(cascades, 10, 16)).toBeGreaterThanOrEqual(at(cascades, 20, 16));
   expect(at(await maker.draw(lit('ambientOcclusion', {})), 10, 16)).toBe(1);
-  const open = await maker.draw(lit('ambientOcclusion', { ambientOcclusion: { enabled: true } }));
+  const open = await maker.draw(lit('ambientOcclusion', { ambientOcclusion: { enabled: true, radius: 3 } }));
   const seen = open.pixels.filter((_, i) => i % 4 === 0 && open.pixels[i + 3]! > 0);
   expect(Math.max(...seen)).toBeGreaterThan(0.95);
   expect(Math.max(...seen)).toBeLessThanOrEqual(1.001);
