@@ -1,4 +1,4 @@
-import { texture } from 'three/tsl';
+import { texture, vec4 } from 'three/tsl';
 import {
   HalfFloatType,
   type Node,
@@ -40,6 +40,14 @@ export class Pass {
     this.target.dispose();
     (this.#quad.material as NodeMaterial).dispose();
   }
+}
+
+/** (2 - 2^-10) 2^15. */
+const BRIGHTEST_HALF = 65504;
+
+/** Radiance that half floats can hold: of what is brighter GPUs make infinities, or NaN, which filters spread. */
+export function withinHalf(color: Node): Node {
+  return vec4(color as Node<'vec4'>).clamp(0, BRIGHTEST_HALF);
 }
 
 /** A texture that a pass reads and that is given to it in every frame: set its value before it is drawn. */
