@@ -243,10 +243,15 @@ describe('a file of twenty megabytes', () => {
 
   it('can be given up', async () => {
     const before = await page.document();
+    // A thread that never answers: a fast machine would have read the file before it can be given up.
+    await page.page.evaluate(
+      'window.AnsweringWorker = Worker; window.Worker = class extends Worker { postMessage() {} };',
+    );
     await page.page.evaluate(dropLarge(520));
     const progress = page.page.locator('.toast.progress:has-text("large.glb")');
     await progress.locator('button').click();
     await progress.waitFor({ state: 'detached' });
+    await page.page.evaluate('window.Worker = window.AnsweringWorker');
     expect(await page.document()).toEqual(before);
     expect((await page.toasts()).join()).not.toContain('large.glb was not opened');
   });

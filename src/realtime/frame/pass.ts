@@ -22,7 +22,7 @@ export class Pass {
     this.target.texture.name = name;
     const material = new NodeMaterial();
     material.name = name;
-    material.fragmentNode = fragment;
+    material.fragmentNode = type === HalfFloatType ? withinHalf(fragment) : fragment;
     this.#quad = new QuadMesh(material);
     this.#quad.name = name;
   }
@@ -45,9 +45,9 @@ export class Pass {
 /** (2 - 2^-10) 2^15. */
 const BRIGHTEST_HALF = 65504;
 
-/** Radiance that half floats can hold: of what is brighter GPUs make infinities, or NaN, which filters spread. */
-export function withinHalf(color: Node): Node {
-  return vec4(color as Node<'vec4'>).clamp(0, BRIGHTEST_HALF);
+/** What half floats can hold: of what is brighter GPUs make infinities, and of those the next pass NaN, which filters spread. */
+function withinHalf(value: Node): Node {
+  return vec4(value as Node<'vec4'>).clamp(-BRIGHTEST_HALF, BRIGHTEST_HALF);
 }
 
 /** A texture that a pass reads and that is given to it in every frame: set its value before it is drawn. */

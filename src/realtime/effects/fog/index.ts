@@ -35,7 +35,7 @@ import type { Air } from '../../../material/air.ts';
 import { repeat } from '../../../material/statements.ts';
 import type { Effect, EffectDefinition, EffectSettings } from '../../frame/effect.ts';
 import type { FrameInputs } from '../../frame/inputs.ts';
-import { inputTexture, Pass, withinHalf } from '../../frame/pass.ts';
+import { inputTexture, Pass } from '../../frame/pass.ts';
 import { type Guide, NOTHING, positionAt, releaseGuide, takeGuide } from '../screen-space/guide.ts';
 import { gradientNoise } from '../screen-space/noise.ts';
 import { brought, smoothed } from './bring.ts';
@@ -95,9 +95,9 @@ class FogEffect implements Effect {
       air: (from, direction, distance) =>
         fogTransmittance(this.#ball, this.#thickness, from, direction, distance),
     };
-    this.#light = new Pass('fog light', withinHalf(this.#march()));
+    this.#light = new Pass('fog light', this.#march());
     this.#smoothed = new Pass('fog light smoothed', smoothed(this.#guide, this.#light));
-    this.#result = new Pass('fog', withinHalf(this.#compose()));
+    this.#result = new Pass('fog', this.#compose());
   }
 
   update({ fog, effects }: EffectSettings): void {
