@@ -8,14 +8,11 @@ import { SceneMirror } from '../scene/mirror.ts';
 import { pageAssets } from '../scene/page-assets.ts';
 import type { Document } from '../scene/schema.ts';
 import { DocumentStore } from '../scene/store.ts';
-import {
-  deleteSelected,
-  duplicateSelected,
-  toggleBench,
-  toggleBenchPage,
-  toggleHelpers,
-  toggleSource,
-} from './commands.ts';
+import { Actions } from './actions/action.ts';
+import { editActions } from './actions/edit.ts';
+import { fileActions } from './actions/file.ts';
+import { installShortcuts } from './actions/shortcuts.ts';
+import { viewActions } from './actions/view.ts';
 import { installErrorReports, showStartFailure } from './errors.ts';
 import { GpuTimesBoard } from './gpu-times.ts';
 import { installDrop } from './io/drop.ts';
@@ -23,7 +20,6 @@ import { ANY_ACCEPT, chooseFiles, download, fileNameOf } from './io/files.ts';
 import { environmentElsewhere, openElsewhere } from './io/importer/import-job.ts';
 import { type OpenContext, openAddress, openFiles } from './io/open.ts';
 import { createBench } from './panels/bench/bench.ts';
-import { openDocuments } from './panels/documents/documents.ts';
 import { exportEntries } from './panels/export/entries.ts';
 import { createInspector } from './panels/inspector/inspector.ts';
 import { createOutliner } from './panels/outliner/outliner.ts';
@@ -35,8 +31,7 @@ import { installOffline } from './pwa/offline.ts';
 import { isShipped, loadScene, shippedScenes } from './scenes.ts';
 import type { Session } from './session.ts';
 import { documentOfLink, isLink } from './share/link.ts';
-import { installShortcuts } from './shortcuts.ts';
-import { EditorStateStore, renderings } from './state.ts';
+import { EditorStateStore } from './state.ts';
 import { recoverFromLoss } from './storage/device-loss.ts';
 import { saveDocument } from './storage/save-file.ts';
 import { Workspace } from './storage/workspace.ts';
@@ -45,7 +40,6 @@ import type { MenuEntry } from './ui/menu.ts';
 import { startProgress, toast, toastError } from './ui/toast.ts';
 import { installTooltip } from './ui/tooltip.ts';
 import { PresetOfDevice } from './viewport/adopt-preset.ts';
-import { stepShown } from './viewport/show.ts';
 import { Viewport } from './viewport/viewport.ts';
 
 /** For the browser's console and for tests: `irradia.store.edit(...)`, `await irradia.ready`. */
@@ -97,6 +91,7 @@ const opening: OpenContext = {
 const session: Session = {
   store,
   state,
+  actions: new Actions(),
   workspace,
   gpuTimes: new GpuTimesBoard(),
   newScene,
@@ -121,10 +116,7 @@ const view = h('main', { class: 'viewport' }, canvas, loading);
 
 document.getElementById('app')?.replaceChildren(
   createTopbar(session, {
-    open,
-    saveAs,
     openShipped,
-    screenshot,
     tracedPictures,
     exports: () =>
       exportEntries({
@@ -157,30 +149,10 @@ store.subscribe(({ reason, document }) => {
       .then(adoptPreset);
 });
 installDrop(view, (files) => void session.openFiles(files));
-installShortcuts([
-  { key: 'z', ctrl: true, run: () => store.undo() },
-  { key: 'z', ctrl: true, shift: true, run: () => store.redo() },
-  { key: 'y', ctrl: true, run: () => store.redo() },
-  { key: 's', ctrl: true, run: save },
-  { key: 's', ctrl: true, shift: true, run: saveAs },
-  { key: 'o', ctrl: true, run: open },
-  { key: 'o', ctrl: true, shift: true, run: () => void openDocuments(session) },
-  { key: 'd', ctrl: true, run: () => duplicateSelected(store, state) },
-  { key: 'delete', run: () => deleteSelected(store, state) },
-  { key: 'backspace', run: () => deleteSelected(store, state) },
-  { key: 'f', run: () => session.focusSelection() },
-  { key: 'f', shift: true, run: () => session.pickFocus() },
-  { key: 'v', run: () => stepShown(session, 1) },
-  { key: 'v', shift: true, run: () => stepShown(session, -1) },
-  { key: 'h', run: () => toggleHelpers(store) },
-  { key: 'b', run: () => toggleBench(state) },
-  { key: 'b', shift: true, run: () => toggleBenchPage(state) },
-  ...renderings.map((rendering, i) => ({ key: `${i + 1}`, run: () => state.set({ rendering }) })),
-  { key: 'p', run: () => state.set({ tracingPaused: !state.value.tracingPaused }) },
-  { key: 'e', ctrl: true, run: () => toggleSource(store, state) },
-  { key: 'f2', run: () => session.renameSelected() },
-  { key: 'escape', run: () => state.select(null) },
-]);
+session.actions.add(fileActions(session, { open, saveAs, screenshot }));
+session.actions.add(editActions(session));
+session.actions.add(viewActions(session));
+installShortcuts(session.actions);
 
 window.addEventListener('hashchange', () => void openLink());
 

@@ -1,5 +1,6 @@
 /** What the panels share: the document, the editor's state, and the ways into the scene for files. */
 import type { DocumentStore } from '../scene/store.ts';
+import type { Actions } from './actions/action.ts';
 import type { GpuTimesBoard } from './gpu-times.ts';
 import type { EditorStateStore } from './state.ts';
 import type { Workspace } from './storage/workspace.ts';
@@ -7,6 +8,8 @@ import type { Workspace } from './storage/workspace.ts';
 export interface Session {
   readonly store: DocumentStore;
   readonly state: EditorStateStore;
+  /** What a person can do, by id. */
+  readonly actions: Actions;
   /** What is kept in the browser, and which document is open. */
   readonly workspace: Workspace;
   /** What the GPU spends on the parts of a frame. */

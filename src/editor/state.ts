@@ -11,11 +11,20 @@ export type EntityKind = 'lights' | 'objects' | 'materials';
 export const renderings = ['interactive', 'traced', 'split', 'difference'] as const;
 export type Rendering = (typeof renderings)[number];
 
+/** A light, an object or a material of the document. */
+export interface Entity {
+  readonly kind: EntityKind;
+  readonly id: string;
+}
+
 /** Null is the scene itself: camera, environment, view. */
-export type Selection = { readonly kind: EntityKind; readonly id: string } | null;
+export type Selection = Entity | null;
 
 export interface EditorState {
+  /** What was chosen last, whose fields the inspector shows; always the last of `selected`. */
   readonly selection: Selection;
+  /** All that is selected. Set by the methods of the store alone. */
+  readonly selected: readonly Entity[];
   /** Titles of the inspector's sections that are folded. */
   readonly folded: readonly string[];
   /** The unit in which a photometric field is shown, by `light type.field`. */
@@ -49,6 +58,7 @@ const STORAGE_KEY = 'irradia.editor';
 
 const initial: EditorState = {
   selection: null,
+  selected: [],
   folded: ['Geometry', 'Maps', 'Emission and transparency', 'Near and far'],
   units: {},
   continuous: false,
@@ -80,10 +90,26 @@ export class EditorStateStore {
     for (const listener of [...this.#listeners]) listener(this.#state, previous);
   }
 
+  /** Selects this alone; null is the scene. */
   select(selection: Selection): void {
-    const { selection: current } = this.#state;
-    if (selection?.kind === current?.kind && selection?.id === current?.id) return;
-    this.set({ selection });
+    this.selectAll(selection ? [selection] : []);
+  }
+
+  /** Selects these, the last of them as the one whose fields are shown. */
+  selectAll(entities: readonly Entity[]): void {
+    const { selected } = this.#state;
+    const same = entities.length === selected.length && entities.every((e, i) => isSame(e, selected[i]));
+    if (!same) this.set({ selected: entities, selection: entities.at(-1) ?? null });
+  }
+
+  /** Adds to what is selected, or takes away from it. */
+  toggleSelected(entity: Entity): void {
+    const others = this.#state.selected.filter((other) => !isSame(other, entity));
+    this.selectAll(this.isSelected(entity) ? others : [...others, entity]);
+  }
+
+  isSelected(entity: Entity): boolean {
+    return this.#state.selected.some((other) => isSame(other, entity));
   }
 
   fold(title: string, folded: boolean): void {
@@ -93,8 +119,7 @@ export class EditorStateStore {
 
   /** What was selected may be gone after an undo or a new document. */
   forget(document: Document): void {
-    const { selection } = this.#state;
-    if (selection && !(selection.id in document[selection.kind])) this.set({ selection: null });
+    this.selectAll(this.#state.selected.filter(({ kind, id }) => id in document[kind]));
   }
 
   subscribe(listener: (state: EditorState, previous: EditorState) => void): () => void {
@@ -112,6 +137,8 @@ export class EditorStateStore {
     }
   }
 }
+
+const isSame = (a: Entity, b: Entity | undefined): boolean => a.kind === b?.kind && a.id === b.id;
 
 /** What an older or a tampered page left in storage is taken only where it has the right shape. */
 function restore(): Partial<Persistent> {

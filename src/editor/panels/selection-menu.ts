@@ -1,28 +1,16 @@
 /** What can be done to the selected thing: in the Edit menu, and by a right click on its row. */
-import { deleteSelected, duplicateSelected } from '../commands.ts';
+import { actionEntry } from '../actions/entry.ts';
+import { t } from '../language/language.ts';
 import type { Session } from '../session.ts';
 import type { MenuEntry } from '../ui/menu.ts';
 
-export function selectionEntries(session: Session): MenuEntry[] {
-  const { store, state } = session;
-  const { selection } = state.value;
-  const disabled = selection === null;
+export function selectionEntries({ actions, state }: Session): MenuEntry[] {
+  const label = state.value.selection === null ? t('Look at everything') : t('Look at it');
   return [
-    { label: 'Rename', shortcut: 'F2', disabled, run: () => session.renameSelected() },
-    {
-      label: 'Duplicate',
-      icon: 'copy',
-      shortcut: 'Ctrl+D',
-      disabled,
-      run: () => duplicateSelected(store, state),
-    },
-    { label: 'Delete', icon: 'trash', shortcut: 'Del', disabled, run: () => deleteSelected(store, state) },
+    actionEntry(actions, 'edit.rename'),
+    actionEntry(actions, 'edit.duplicate', { icon: 'copy' }),
+    actionEntry(actions, 'edit.delete', { icon: 'trash' }),
     'separator',
-    {
-      label: disabled ? 'Look at everything' : 'Look at it',
-      icon: 'focus',
-      shortcut: 'F',
-      run: () => session.focusSelection(),
-    },
+    actionEntry(actions, 'view.focus', { icon: 'focus', label }),
   ];
 }

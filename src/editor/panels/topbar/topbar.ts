@@ -4,23 +4,19 @@ import { addLight, addObject, removeUnused } from '../../../scene/commands.ts';
 import { addableGeometries, geometryNames } from '../../../scene/geometry-schema.ts';
 import { lightDefaults, lightTypes } from '../../../scene/light-schema.ts';
 import { addMaterial } from '../../../scene/material-commands.ts';
+import { actionEntry, type EntryLook } from '../../actions/entry.ts';
 import { attempt, toggleBench, toggleHelpers } from '../../commands.ts';
 import type { Session } from '../../session.ts';
-import { openShare } from '../../share/share.ts';
 import { h } from '../../ui/dom.ts';
 import { type IconName, icon, isIcon } from '../../ui/icons.ts';
 import { type MenuEntry, menuButton, openMenu } from '../../ui/menu.ts';
-import { openDocuments } from '../documents/documents.ts';
 import { createTitle } from '../documents/title.ts';
 import { presetEntries } from '../inspector/preset.ts';
 import { selectionEntries } from '../selection-menu.ts';
 import { createTermSelect } from './term-select.ts';
 
 export interface TopbarActions {
-  open(): void;
-  saveAs(): void;
   openShipped(name: string): void;
-  screenshot(): void;
   /** More pictures that can be saved; none while there is only the one that is shown. */
   tracedPictures(): MenuEntry[];
   exports(): MenuEntry[];
@@ -38,8 +34,8 @@ export function createTopbar(session: Session, actions: TopbarActions): HTMLElem
   );
   shot.addEventListener('click', () => {
     const more = actions.tracedPictures();
-    if (more.length === 0) actions.screenshot();
-    else openMenu(shot, 'Screenshot', [screenshotEntry(actions), ...more]);
+    if (more.length === 0) session.actions.run('file.screenshot');
+    else openMenu(shot, 'Screenshot', [screenshotEntry(session), ...more]);
   });
 
   const helpers = h(
@@ -101,36 +97,32 @@ export function createTopbar(session: Session, actions: TopbarActions): HTMLElem
   );
 }
 
-function screenshotEntry({ screenshot }: TopbarActions): MenuEntry {
-  return { label: 'Screenshot', icon: 'camera', tip: 'The viewport as it is shown, as PNG', run: screenshot };
+function screenshotEntry({ actions }: Session): MenuEntry {
+  return actionEntry(actions, 'file.screenshot', {
+    icon: 'camera',
+    tip: 'The viewport as it is shown, as PNG',
+  });
 }
 
 function fileEntries(session: Session, actions: TopbarActions): MenuEntry[] {
+  const entry = (id: string, look?: EntryLook) => actionEntry(session.actions, id, look);
   return [
-    { label: 'New', icon: 'file', run: session.newScene },
-    {
-      label: 'Open…',
+    entry('file.new', { icon: 'file' }),
+    entry('file.open', {
       icon: 'folder',
-      shortcut: 'Ctrl+O',
       tip: 'A scene, model, archive, .brdf, measured BRDF, HDR, EXR or image',
-      run: actions.open,
-    },
-    {
-      label: 'Documents…',
+    }),
+    entry('file.documents', {
       icon: 'copy',
-      shortcut: 'Ctrl+Shift+O',
       tip: 'What this browser keeps: other documents, and versions of this one',
-      run: () => openDocuments(session),
-    },
-    { label: 'Save', icon: 'save', shortcut: 'Ctrl+S', run: session.save },
-    { label: 'Save as…', shortcut: 'Ctrl+Shift+S', run: actions.saveAs },
-    {
-      label: 'Share as a link…',
+    }),
+    entry('file.save', { icon: 'save' }),
+    entry('file.saveAs'),
+    entry('file.share', {
       icon: 'link',
       tip: 'The link carries the whole document; nothing is uploaded',
-      run: () => openShare(session),
-    },
-    screenshotEntry(actions),
+    }),
+    screenshotEntry(session),
     ...actions.tracedPictures(),
     ...actions.exports(),
     'separator',
@@ -142,18 +134,12 @@ function fileEntries(session: Session, actions: TopbarActions): MenuEntry[] {
 }
 
 function editEntries(session: Session): MenuEntry[] {
-  const { store } = session;
+  const { store, actions } = session;
   const undo = store.undoLabel ? `Undo: ${store.undoLabel}` : 'Undo';
   const redo = store.redoLabel ? `Redo: ${store.redoLabel}` : 'Redo';
   return [
-    { label: undo, icon: 'undo', shortcut: 'Ctrl+Z', disabled: !store.canUndo, run: () => store.undo() },
-    {
-      label: redo,
-      icon: 'redo',
-      shortcut: 'Ctrl+Shift+Z',
-      disabled: !store.canRedo,
-      run: () => store.redo(),
-    },
+    actionEntry(actions, 'edit.undo', { icon: 'undo', label: undo }),
+    actionEntry(actions, 'edit.redo', { icon: 'redo', label: redo }),
     'separator',
     ...selectionEntries(session),
     'separator',

@@ -1,0 +1,44 @@
+/**
+ * What a person can make the page do: each once, with a name and keys. Menus, shortcuts, the command
+ * palette and the list of shortcuts are all made from these.
+ */
+export interface Action {
+  /** Stable, such as `edit.duplicate`: changed shortcuts are kept by it. */
+  readonly id: string;
+  /** In the page's language. */
+  readonly title: string;
+  /** Keys that run it unless the person chose others: `Ctrl+Shift+Z`, `F2`, `Delete`, `?`. Ctrl is Cmd, too. */
+  readonly keys?: readonly string[];
+  /** Whether it can be run now; always, if not given. */
+  readonly enabled?: () => boolean;
+  /** For what is on or off. */
+  readonly on?: () => boolean;
+  run(): void;
+}
+
+export class Actions {
+  readonly #actions = new Map<string, Action>();
+
+  add(actions: readonly Action[]): void {
+    for (const action of actions) {
+      if (this.#actions.has(action.id)) throw new Error(`two actions are called ${action.id}`);
+      this.#actions.set(action.id, action);
+    }
+  }
+
+  get all(): readonly Action[] {
+    return [...this.#actions.values()];
+  }
+
+  get(id: string): Action {
+    const action = this.#actions.get(id);
+    if (!action) throw new Error(`no action is called ${id}`);
+    return action;
+  }
+
+  /** Runs it, unless it cannot be run now. */
+  run(id: string): void {
+    const { enabled, run } = this.get(id);
+    if (enabled?.() !== false) run();
+  }
+}

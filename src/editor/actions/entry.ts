@@ -1,0 +1,22 @@
+/** An action as an entry of a menu. */
+import type { IconName } from '../ui/icons.ts';
+import type { MenuAction } from '../ui/menu.ts';
+import type { Actions } from './action.ts';
+
+export interface EntryLook {
+  /** In place of the action's title. */
+  readonly label?: string;
+  readonly icon?: IconName;
+  readonly tip?: string;
+}
+
+export function actionEntry(actions: Actions, id: string, look: EntryLook = {}): MenuAction {
+  const { title, keys, enabled } = actions.get(id);
+  return {
+    label: title,
+    ...(keys?.[0] && { shortcut: keys[0] }),
+    disabled: enabled?.() === false,
+    run: () => actions.run(id),
+    ...look,
+  };
+}
