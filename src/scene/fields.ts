@@ -34,7 +34,7 @@ export interface FieldInfo {
   /** The values of a 'choice'. */
   choices?: readonly string[];
   /** What a 'reference' names. */
-  target?: 'materials' | 'assets';
+  target?: 'materials' | 'assets' | 'groups';
   /** The field may also be null: switched off. */
   nullable?: boolean;
 }
@@ -140,6 +140,9 @@ export const id = z.string().regex(idPattern);
 
 export const reference = (description: string, target: 'materials' | 'assets') =>
   field(id, { kind: 'reference', description, target });
+
+export const referenceOrNull = (description: string, target: 'groups') =>
+  field(id.nullable(), { kind: 'reference', description, target, nullable: true });
 
 /** A field that is itself an object or a union; its own fields carry their own info. */
 export const group = <S extends z.ZodType>(schema: S, description: string): S =>

@@ -2,6 +2,7 @@
 import { z } from 'zod';
 import { TEMPERATURE_RANGE } from '../lights/units.ts';
 import { boolean, choice, color, number, numberOrNull, text, vector3, withDefaults } from './fields.ts';
+import { memberDefaults, memberShape } from './group-schema.ts';
 
 export const nameField = text('Shown in the outliner', 200);
 
@@ -43,6 +44,7 @@ const radius = number(
 const common = {
   name: nameField,
   visible: boolean('Whether the light shines'),
+  ...memberShape,
   color: color('Colour of the light, linear Rec. 709; its brightness is a field of its own'),
   temperature: numberOrNull('Colour temperature of a black body; multiplies the colour', {
     range: TEMPERATURE_RANGE,
@@ -157,7 +159,7 @@ export const lightSchema = z.discriminatedUnion('type', [
 ]);
 
 const white: [number, number, number] = [1, 1, 1];
-const shared = { visible: true, color: white, temperature: null };
+const shared = { visible: true, ...memberDefaults, color: white, temperature: null };
 
 /** Mean angle of the sun from the earth, in degrees: 2 asin(695 700 km / 149 597 871 km). */
 const SUN_DIAMETER = 0.533;

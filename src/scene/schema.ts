@@ -13,6 +13,7 @@ import { z } from 'zod';
 import { effectsDefaults, effectsFileSchema, effectsSchema } from './effects-schema.ts';
 import { boolean, group, id, reference, vector3, withDefaults } from './fields.ts';
 import { geometryDefaults, geometryFileSchema, geometrySchema } from './geometry-schema.ts';
+import { groupFileSchema, groupSchema, memberDefaults, memberShape } from './group-schema.ts';
 import { lightFileSchema, lightSchema, nameField } from './light-schema.ts';
 import { materialFileSchema, materialSchema, modelName } from './material-schema.ts';
 import {
@@ -44,6 +45,7 @@ export const documentVersion = 1;
 export const collectionLimits = {
   lights: 256,
   objects: 20_000,
+  groups: 4096,
   materials: 4096,
   models: 64,
   assets: 1024,
@@ -52,6 +54,7 @@ export const collectionLimits = {
 const collectionDescriptions = {
   lights: 'The lights, by id',
   objects: 'The objects, by id',
+  groups: 'Named sets of objects and lights, by id',
   materials: 'The materials, by id; objects name theirs',
   models: 'BRDF files and measured BRDFs that do not ship with Irradia, by name',
   assets: 'Images, environments, glTF files and measurements, by id',
@@ -64,6 +67,7 @@ export const maxModelLength = 1024 * 1024;
 export const objectShape = {
   name: nameField,
   visible: boolean('Whether the object is shown'),
+  ...memberShape,
   position: vector3('Where the object is', { range: [-1e6, 1e6], unit: 'm', step: 0.01 }),
   rotation: vector3('Rotation about x, then y, then z, each the object’s own', {
     range: [-1e4, 1e4],
@@ -88,6 +92,7 @@ export type SceneObject = z.output<typeof objectSchema>;
 export const objectDefaults: Readonly<Omit<SceneObject, 'material'>> = {
   name: 'Object',
   visible: true,
+  ...memberDefaults,
   position: [0, 0, 0],
   rotation: [0, 0, 0],
   scale: [1, 1, 1],
@@ -154,6 +159,7 @@ export const documentShape = {
   background: backgroundSchema,
   lights: collection('lights', id, lightSchema),
   objects: collection('objects', id, objectSchema),
+  groups: collection('groups', id, groupSchema),
   materials: collection('materials', id, materialSchema),
   models: collection('models', modelName, modelSourceSchema),
   assets: collection('assets', id, assetSchema),
@@ -166,8 +172,15 @@ export const documentSchema = z.strictObject(documentShape);
 export type Document = z.output<typeof documentSchema>;
 
 /** The parts of a document that hold many of a kind, by id. */
-export type Collection = 'lights' | 'objects' | 'materials' | 'models' | 'assets';
-export const collections: readonly Collection[] = ['lights', 'objects', 'materials', 'models', 'assets'];
+export type Collection = 'lights' | 'objects' | 'groups' | 'materials' | 'models' | 'assets';
+export const collections: readonly Collection[] = [
+  'lights',
+  'objects',
+  'groups',
+  'materials',
+  'models',
+  'assets',
+];
 /** The parts that a document has once. */
 export type Single = Exclude<keyof Document, Collection>;
 export const singles: readonly Single[] = [
@@ -187,6 +200,7 @@ export const singles: readonly Single[] = [
 export const entitySchemas = {
   lights: lightSchema,
   objects: objectSchema,
+  groups: groupSchema,
   materials: materialSchema,
   models: modelSourceSchema,
   assets: assetSchema,
@@ -200,6 +214,7 @@ export const documentFileSchema = withDefaults(
     environment: environmentFileSchema,
     lights: collection('lights', id, lightFileSchema),
     objects: collection('objects', id, objectFileSchema),
+    groups: collection('groups', id, groupFileSchema),
     materials: collection('materials', id, materialFileSchema),
     view: viewFileSchema,
     effects: effectsFileSchema,
@@ -214,6 +229,7 @@ export const documentFileSchema = withDefaults(
     background: backgroundDefault,
     lights: {},
     objects: {},
+    groups: {},
     materials: {},
     models: {},
     assets: {},
@@ -225,6 +241,7 @@ export const documentFileSchema = withDefaults(
 
 export type { EffectName, Effects } from './effects-schema.ts';
 export type { AddableGeometry, Geometry, GeometryOf, GeometryType } from './geometry-schema.ts';
+export type { Group } from './group-schema.ts';
 export type { Light, LightOf, LightType } from './light-schema.ts';
 export type { Material, MaterialMap, ScaledTextureRef, TextureRef } from './material-schema.ts';
 export type {

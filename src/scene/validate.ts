@@ -17,6 +17,7 @@ import {
   type Document,
   documentShape,
   entitySchemas,
+  type Group,
   type Material,
   singles,
 } from './schema.ts';
@@ -116,13 +117,13 @@ function changed<T>(
 
 function referenceIssues(document: Document, valid: Document | undefined): DocumentIssue[] {
   const issues: DocumentIssue[] = [];
-  const need = (collection: 'assets' | 'materials', id: string, path: Path): void => {
+  const need = (collection: 'assets' | 'materials' | 'groups', id: string, path: Path): void => {
     if (!Object.hasOwn(document[collection], id)) {
-      const kind = collection === 'assets' ? 'asset' : 'material';
+      const kind = collection.slice(0, -1);
       issues.push({ path: pathText(path), message: `there is no ${kind} "${shortened(id)}"` });
     }
   };
-  const all = targetsChanged(document, valid, ['materials', 'assets', 'models']);
+  const all = targetsChanged(document, valid, ['materials', 'assets', 'models', 'groups']);
   const before = all ? undefined : valid;
 
   for (const [id, object] of changed(document.objects, before?.objects)) {
@@ -130,6 +131,10 @@ function referenceIssues(document: Document, valid: Document | undefined): Docum
     if (object.geometry.type === 'gltf')
       need('assets', object.geometry.asset, ['objects', id, 'geometry', 'asset']);
   }
+  for (const name of ['objects', 'lights'] as const)
+    for (const [id, { group }] of changed<{ group: string | null }>(document[name], before?.[name]))
+      if (group !== null) need('groups', group, [name, id, 'group']);
+  if (document.groups !== before?.groups) issues.push(...groupIssues(document));
   for (const [id, material] of changed(document.materials, before?.materials)) {
     issues.push(...materialIssues(document, id, material));
     for (const [path, asset] of assetsOf(material)) need('assets', asset, ['materials', id, ...path]);
@@ -145,6 +150,33 @@ function referenceIssues(document: Document, valid: Document | undefined): Docum
   }
   if (document.camera.near >= document.camera.far)
     issues.push({ path: 'camera.near', message: 'must be less than camera.far' });
+  return issues;
+}
+
+/** Every parent exists, and no group is in itself. */
+function groupIssues({ groups }: Document): DocumentIssue[] {
+  const issues: DocumentIssue[] = [];
+  const sound = new Set<string>();
+  for (const start of Object.keys(groups)) {
+    const way = new Set<string>();
+    let at: string | null = start;
+    while (at !== null && !sound.has(at)) {
+      const report = (message: string) =>
+        issues.push({ path: pathText(['groups', start, 'parent']), message });
+      if (way.has(at)) {
+        report('the group would be in itself');
+        break;
+      }
+      const group: Group | undefined = Object.hasOwn(groups, at) ? groups[at] : undefined;
+      if (group === undefined) {
+        report(`there is no group "${shortened(at)}"`);
+        break;
+      }
+      way.add(at);
+      at = group.parent;
+    }
+    for (const id of way) sound.add(id);
+  }
   return issues;
 }
 

@@ -79,6 +79,13 @@ describe('parseDocument', () => {
       { materials: { a: { name: 'M', model: 'principled', textures: { roughness: { asset: 'dust' } } } } },
       /no asset "dust"/,
     ],
+    ['lights.a.group', { lights: { a: { type: 'point', group: 'trees' } } }, 'there is no group "trees"'],
+    ['groups.a.parent', { groups: { a: { parent: 'b' } } }, 'there is no group "b"'],
+    [
+      'groups.a.parent',
+      { groups: { a: { parent: 'b' }, b: { parent: 'a' } } },
+      'the group would be in itself',
+    ],
     ['environment.source.asset', { environment: { source: { type: 'hdr', asset: 'sky' } } }, /no asset/],
     ['view.term.material', { view: { term: { material: 'a', name: 'BRDF' } } }, /no material/],
     [

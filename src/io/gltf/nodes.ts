@@ -1,5 +1,6 @@
 /** The nodes of a glTF scene as objects, lights and a camera of a document, in world space. */
 import * as THREE from 'three/webgpu';
+import { memberDefaults } from '../../scene/group-schema.ts';
 import { lightDefaults } from '../../scene/light-schema.ts';
 import type { Camera, Light, SceneObject } from '../../scene/schema.ts';
 import { cameraDefaults } from '../../scene/stage-schema.ts';
@@ -98,7 +99,7 @@ function addMesh(
     if (attributes.COLOR_0 !== undefined) notes.add(`${name}: its vertex colours are not read`);
     const part = mesh.primitives.length > 1 ? ` ${primitive + 1}` : '';
     contents.objects.push({
-      object: { name: name + part, visible, ...place },
+      object: { name: name + part, visible, ...memberDefaults, ...place },
       node: index,
       primitive,
       material,

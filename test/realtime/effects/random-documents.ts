@@ -49,7 +49,8 @@ function fields(shape: Shape, structure: Random, numbers: Random): Record<string
   const values: Record<string, unknown> = {};
   for (const [name, schema] of Object.entries(shape)) {
     const info = fieldInfo(schema as Parameters<typeof fieldInfo>[0]);
-    if (!info) continue;
+    // No pixel depends on it.
+    if (!info || name === 'locked') continue;
     const random = STRUCTURAL.has(name) ? structure : numbers;
     const most = MOST[name];
     const bounded =
