@@ -7,6 +7,7 @@ import { type Box3, type PerspectiveCamera, Sphere, type Vector3 } from 'three/w
 import type { Camera, Document } from '../../scene/schema.ts';
 import type { DocumentStore } from '../../scene/store.ts';
 import { attempt } from '../commands.ts';
+import { t } from '../language/language.ts';
 
 export interface CameraControl {
   /** Where the camera is while it is moved, as the document will say. */
@@ -38,7 +39,7 @@ export function createCameraControl(
     const { camera: before } = store.document;
     // A click that moves nothing is no step to be undone.
     if (String(position) === String(before.position) && String(target) === String(before.target)) return;
-    attempt('The camera stays where it was', () =>
+    attempt(t('The camera stays where it was'), () =>
       store.edit(
         label,
         (draft) => {
@@ -49,7 +50,7 @@ export function createCameraControl(
       ),
     );
   };
-  controls.addEventListener('end', () => write('Move camera'));
+  controls.addEventListener('end', () => write(t('Move camera')));
 
   const follow = ({ camera: { position, target } }: Document) => {
     controls.target.set(...target);
@@ -69,7 +70,7 @@ export function createCameraControl(
       controls.target.copy(sphere.center);
       camera.position.copy(sphere.center).addScaledVector(away, distance);
       controls.update();
-      write(`Focus ${name}`);
+      write(t('Focus {name}', { name }));
     },
     dispose: () => controls.dispose(),
   };

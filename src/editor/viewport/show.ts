@@ -3,6 +3,7 @@ import { COUNT_COLORS, ZONE_COLORS, ZONES_EACH_SIDE, zoneBound } from '../../col
 import { focusDistance } from '../../scene/lens.ts';
 import type { Document, View } from '../../scene/schema.ts';
 import { SHOWN } from '../../scene/stage-schema.ts';
+import { t } from '../language/language.ts';
 import { tryEdit } from '../panels/inspector/cell.ts';
 import { choiceLabel } from '../panels/inspector/field.ts';
 import type { Session } from '../session.ts';
@@ -18,7 +19,7 @@ export function stepShown({ store }: Session, step: 1 | -1): void {
 }
 
 function show(store: Session['store'], value: Show): void {
-  tryEdit(store, `Show ${choiceLabel(value).toLowerCase()}`, (draft) => {
+  tryEdit(store, t('Show {value}', { value: choiceLabel(value).toLowerCase() }), (draft) => {
     draft.view.show = value;
   });
 }
@@ -34,11 +35,11 @@ export interface ShowView {
 export function createShowView(session: Session): ShowView {
   const { store } = session;
   const choices = SHOWN.map((value) => ({ value, label: choiceLabel(value) }));
-  const field = selectField('Show', choices, (value) => show(store, value as Show));
+  const field = selectField(t('Show'), choices, (value) => show(store, value as Show));
   const choice = h(
     'label',
-    { class: 'show-choice', tip: 'The picture, or what is behind it (V, Shift+V back)' },
-    h('span', {}, 'Show'),
+    { class: 'show-choice', tip: t('The picture, or what is behind it (V, Shift+V back)') },
+    h('span', {}, t('Show')),
     field.element,
   );
   const legend = h('div', { class: 'show-legend' });
@@ -84,46 +85,46 @@ function legendOf(document: Document, exposure: number): HTMLElement[] {
       return [];
     case 'luminance':
       return [
-        h('div', { class: 'show-title' }, 'Luminance, nits; a stop each'),
+        h('div', { class: 'show-title' }, t('Luminance, nits; a stop each')),
         ...ZONE_COLORS.map((color, i) => zoneRow(color, i - ZONES_EACH_SIDE, exposure)).reverse(),
       ];
     case 'overdraw':
-      return counts('Times that a pixel is drawn');
+      return counts(t('Times that a pixel is drawn'));
     case 'cascades':
-      return counts('Shadow map of the sun, 1 the finest');
+      return counts(t('Shadow map of the sun, 1 the finest'));
     case 'ambientOcclusion':
       return [
-        h('div', { class: 'show-title' }, 'Ambient occlusion'),
-        row('rgb(255 255 255)', 'open, or not looked for'),
-        row('rgb(0 0 0)', 'closed'),
+        h('div', { class: 'show-title' }, t('Ambient occlusion')),
+        row('rgb(255 255 255)', t('open, or not looked for')),
+        row('rgb(0 0 0)', t('closed')),
       ];
     case 'lights':
-      return counts('Lamps that reach a pixel');
+      return counts(t('Lamps that reach a pixel'));
     case 'depth': {
       const distance = Number(focusDistance(document.camera).toPrecision(3));
       return [
-        h('div', { class: 'show-title' }, 'Distance along the view'),
+        h('div', { class: 'show-title' }, t('Distance along the view')),
         row('rgb(255 255 255)', '0 m'),
-        row('rgb(128 128 128)', `${distance} m, in focus`),
-        row('rgb(0 0 0)', 'far away'),
+        row('rgb(128 128 128)', t('{distance} m, in focus', { distance })),
+        row('rgb(0 0 0)', t('far away')),
       ];
     }
     case 'textureCoordinates':
       return [
-        h('div', { class: 'show-title' }, 'Texture coordinates'),
+        h('div', { class: 'show-title' }, t('Texture coordinates')),
         row('rgb(255 0 0)', 'u = 1'),
         row('rgb(0 255 0)', 'v = 1'),
       ];
     case 'motion':
       return [
-        h('div', { class: 'show-title' }, 'Motion, pixels a frame'),
-        row('rgb(255 128 128)', '32 to the right'),
-        row('rgb(128 255 128)', '32 down'),
-        row('rgb(128 128 128)', 'none'),
+        h('div', { class: 'show-title' }, t('Motion, pixels a frame')),
+        row('rgb(255 128 128)', t('32 to the right')),
+        row('rgb(128 255 128)', t('32 down')),
+        row('rgb(128 128 128)', t('none')),
       ];
     default:
       return [
-        h('div', { class: 'show-title' }, 'Direction in the world'),
+        h('div', { class: 'show-title' }, t('Direction in the world')),
         row('rgb(255 128 128)', '+x'),
         row('rgb(128 255 128)', '+y'),
         row('rgb(128 128 255)', '+z'),
@@ -135,7 +136,7 @@ function zoneRow(color: readonly [number, number, number], zone: number, exposur
   const least = zoneBound(zone, exposure);
   const stops = zone > 0 ? `+${zone}` : zone < 0 ? `−${-zone}` : 'middle grey';
   if (zone === -ZONES_EACH_SIDE)
-    return row(css(color), `below ${nits(zoneBound(zone + 1, exposure))}`, stops);
+    return row(css(color), t('below {value}', { value: nits(zoneBound(zone + 1, exposure)) }), stops);
   return row(css(color), `${zone === ZONES_EACH_SIDE ? 'above ' : ''}${nits(least)}`, stops);
 }
 
@@ -143,7 +144,7 @@ function counts(title: string): HTMLElement[] {
   const last = COUNT_COLORS.length - 1;
   return [
     h('div', { class: 'show-title' }, title),
-    ...COUNT_COLORS.map((color, i) => row(css(color), i === last ? `${i} and more` : String(i))),
+    ...COUNT_COLORS.map((color, i) => row(css(color), i === last ? t('{i} and more', { i }) : String(i))),
   ];
 }
 

@@ -6,7 +6,7 @@ import { Box3, type Matrix4, Vector3 } from 'three/webgpu';
 import type { RealtimeRenderer } from '../../realtime/renderer.ts';
 import type { SceneMirror } from '../../scene/mirror.ts';
 import type { Document } from '../../scene/schema.ts';
-import { attempt } from '../commands.ts';
+import { t } from '../language/language.ts';
 import type { FrameTimes } from '../panels/status/frame-times.ts';
 import type { RenderFigures } from '../panels/status/status.ts';
 import type { ImagePair } from '../path-tracing/difference.ts';
@@ -15,13 +15,17 @@ import { createPathTracingView, type PathTracingView } from '../path-tracing/vie
 import type { Session } from '../session.ts';
 import type { EditorState } from '../state.ts';
 import { h } from '../ui/dom.ts';
-import { toast, toastError } from '../ui/toast.ts';
+import { toastError } from '../ui/toast.ts';
 import { createCameraControl } from './camera.ts';
+import { FocusPicking } from './focus-picking.ts';
 import { FrameLoop } from './frame-loop.ts';
 import { gpuFinished } from './gpu-finish.ts';
+import { leastFrameTime } from './measure-frame.ts';
 import { MovingResolution } from './moving-resolution.ts';
 import { createOverlay, type Overlay } from './overlay.ts';
-import { pickDistance, pickObject } from './picking.ts';
+import { pngOf, readPair, tracedPng } from './pictures.ts';
+import { installPixelReading } from './pixel-reading.ts';
+import { installPointer } from './pointer.ts';
 import { createShowView, type ShowView } from './show.ts';
 import { countScene, type SceneCounts } from './statistics.ts';
 
@@ -35,26 +39,19 @@ export interface ViewportOptions {
   onFigures(figures: RenderFigures): void;
 }
 
-const CLICK_PX = 4;
-/** The first frames after another warm up what is needed. */
-const MEASURED_FRAMES = 8;
-/** A slow device is known after less. */
-const MEASURING_MS = 100;
 /** What takes less is not worth a word. */
 const BUSY_AFTER_MS = 250;
 
 export class Viewport {
   readonly #options: ViewportOptions;
   readonly #overlay: Overlay;
-  readonly #busy = h('div', { class: 'busy', role: 'status', hidden: true }, 'Loading…');
+  readonly #busy = h('div', { class: 'busy', role: 'status', hidden: true }, t('Loading…'));
   readonly #loop: FrameLoop;
   readonly #camera: ReturnType<typeof createCameraControl>;
   readonly tracing: PathTracing;
   readonly #tracingView: PathTracingView;
   readonly #show: ShowView;
-  /** The next click says what is to be in focus. */
-  #pickingFocus = false;
-  #reading = false;
+  readonly #focusPicking: FocusPicking;
   /** The scene or its place on the screen has changed since it was drawn. */
   #stale = true;
   #counts: SceneCounts = { vertices: 0, triangles: 0 };
@@ -76,7 +73,7 @@ export class Viewport {
       onFrame: (at, ms) => times.add(at, ms),
       onError: (error) => {
         this.#loop.stop();
-        toastError('The picture could not be drawn', error);
+        toastError(t('The picture could not be drawn'), error);
       },
     });
     this.tracing = new PathTracing({
@@ -109,7 +106,9 @@ export class Viewport {
     session.gpuTimes.available = options.renderer.times.available;
     this.#followSize(element);
     document.addEventListener('visibilitychange', () => this.#loop.interrupt());
-    this.#installPicking(canvas);
+    this.#focusPicking = new FocusPicking(this.#options);
+    installPointer(this.#options, this.#overlay, this.#focusPicking, () => this.focusSelection());
+    installPixelReading(this.#options, this.#show);
     this.refresh();
   }
 
@@ -148,21 +147,8 @@ export class Viewport {
   }
 
   /** What a frame of the present document takes the GPU, in ms: the least of a few. */
-  async measureFrame(): Promise<number> {
-    const { mirror, renderer, session } = this.#options;
-    const timed = session.state.value.gpuTimes;
-    renderer.times.on = true;
-    let least = Number.POSITIVE_INFINITY;
-    for (let i = 0; i < MEASURED_FRAMES && i * least < MEASURING_MS; i++) {
-      const start = performance.now();
-      renderer.render(mirror, session.store.document, this.#sizes().size);
-      await gpuFinished(renderer);
-      const passed = performance.now() - start;
-      const times = await renderer.times.read();
-      least = Math.min(least, times?.reduce((sum, { milliseconds }) => sum + milliseconds, 0) ?? passed);
-    }
-    renderer.times.on = timed;
-    return least;
+  measureFrame(): Promise<number> {
+    return leastFrameTime(this.#options, this.#sizes().size);
   }
 
   /** Looks at what is selected, or at everything. */
@@ -186,7 +172,7 @@ export class Viewport {
       }
     }
     const name = selection ? session.store.document[selection.kind][selection.id]?.name : undefined;
-    this.#camera.focus(box, name ?? 'the scene');
+    this.#camera.focus(box, name ?? t('the scene'));
   }
 
   /** The picture as it is shown, without the overlay. */
@@ -198,44 +184,13 @@ export class Viewport {
   }
 
   /** The path traced picture, whatever part of it is shown. */
-  async tracedScreenshot(): Promise<Blob> {
-    const { texture } = this.tracing;
-    if (texture === null) throw new Error('There is no path traced picture yet.');
-    const { renderer, session } = this.#options;
-    const { width, height } = renderer.canvas;
-    const pixels = await renderer.readImage(session.store.document.view, { radiance: texture, from: 0 });
-    const canvas = h('canvas', { width, height });
-    canvas.getContext('2d')?.putImageData(new ImageData(Uint8ClampedArray.from(pixels), width, height), 0, 0);
-    return pngOf(canvas);
+  tracedScreenshot(): Promise<Blob> {
+    return tracedPng(this.#options, this.tracing);
   }
 
   /** The next click on the picture sets the distance that is in focus; Escape lets it be. */
   pickFocus(): void {
-    this.#setPicking(!this.#pickingFocus);
-  }
-
-  #setPicking(on: boolean): void {
-    this.#pickingFocus = on;
-    this.#options.canvas.classList.toggle('picking-focus', on);
-  }
-
-  #focusAt(x: number, y: number): void {
-    const { mirror, session } = this.#options;
-    this.#setPicking(false);
-    const found = pickDistance(mirror, x, y);
-    if (found === null) {
-      toast('info', 'Nothing is there to focus on', 'The distance that is in focus is as it was.');
-      return;
-    }
-    const { store } = session;
-    const name = store.document.objects[found.id]?.name ?? 'the picture';
-    attempt('The focus stays as it was', () =>
-      store.edit(`Focus the lens on ${name}`, (draft) => {
-        draft.camera.focusDistance = Number(found.distance.toPrecision(6));
-      }),
-    );
-    if (store.document.camera.fStop === 0)
-      toast('info', 'All is in focus', 'The camera is a pinhole: its f-number is 0.');
+    this.#focusPicking.toggle();
   }
 
   #follow(document: Document, previous: Document): void {
@@ -309,22 +264,13 @@ export class Viewport {
   }
 
   /** Both renderings as the screen would show them; null while there is no path traced one. */
-  async #readPair(): Promise<ImagePair | null> {
+  #readPair(): Promise<ImagePair | null> {
     const { renderer, session, mirror } = this.#options;
-    const { document } = session.store;
-    const { view } = document;
     if (this.#stale || this.#resolution.factor < 1) {
-      renderer.render(mirror, this.#resolution.next(document, true), this.#sizes().size);
+      renderer.render(mirror, this.#resolution.next(session.store.document, true), this.#sizes().size);
       this.#stale = false;
     }
-    const { texture } = this.tracing;
-    if (texture === null) return null;
-    const { width, height } = renderer.canvas;
-    const [interactive, traced] = await Promise.all([
-      renderer.readImage(view, null),
-      renderer.readImage(view, { radiance: texture, from: 0 }),
-    ]);
-    return { width, height, interactive, traced };
+    return readPair(this.#options, this.tracing);
   }
 
   async #render(): Promise<void> {
@@ -362,22 +308,6 @@ export class Viewport {
     return renderer.adapting || (isSeen && renderer.unsettled);
   }
 
-  /** Says what the pixel under the pointer holds, where data are shown. */
-  async #read({ clientX, clientY, buttons }: PointerEvent): Promise<void> {
-    const { canvas, renderer, session } = this.#options;
-    if (this.#reading || buttons !== 0 || session.state.value.rendering !== 'interactive') return;
-    if (session.store.document.view.show === 'picture') return;
-    const box = canvas.getBoundingClientRect();
-    this.#reading = true;
-    try {
-      this.#show.read(
-        await renderer.readPixel((clientX - box.left) / box.width, (clientY - box.top) / box.height),
-      );
-    } finally {
-      this.#reading = false;
-    }
-  }
-
   #drawOverlay(): void {
     const { mirror, session } = this.#options;
     const { selection } = session.state.value;
@@ -400,55 +330,9 @@ export class Viewport {
     }
     return { box: this.#bounds.box, matrix: object.matrixWorld };
   }
-
-  #installPicking(canvas: HTMLCanvasElement): void {
-    const { mirror, session } = this.#options;
-    let down: { x: number; y: number } | null = null;
-    canvas.addEventListener('pointerdown', (event) => {
-      down = event.button === 0 ? { x: event.clientX, y: event.clientY } : null;
-      // Typing ends where the picture is touched.
-      if (document.activeElement instanceof HTMLElement) document.activeElement.blur();
-    });
-    canvas.addEventListener('pointerup', (event) => {
-      if (!down || Math.hypot(event.clientX - down.x, event.clientY - down.y) > CLICK_PX) return;
-      const box = canvas.getBoundingClientRect();
-      const x = event.clientX - box.left;
-      const y = event.clientY - box.top;
-      if (this.#pickingFocus) {
-        this.#focusAt((x / box.width) * 2 - 1, 1 - (y / box.height) * 2);
-        return;
-      }
-      const light = this.#overlay.lightAt(x, y);
-      const object = light ? null : pickObject(mirror, (x / box.width) * 2 - 1, 1 - (y / box.height) * 2);
-      if (light) session.state.select({ kind: 'lights', id: light });
-      else session.state.select(object ? { kind: 'objects', id: object } : null);
-    });
-    canvas.addEventListener('dblclick', () => this.focusSelection());
-    window.addEventListener(
-      'keydown',
-      (event) => {
-        if (event.key !== 'Escape' || !this.#pickingFocus) return;
-        // What is selected stays so.
-        event.stopPropagation();
-        this.#setPicking(false);
-      },
-      { capture: true },
-    );
-    canvas.addEventListener('pointermove', (event) => void this.#read(event));
-    canvas.addEventListener('pointerleave', () => this.#show.read(null));
-  }
 }
 
 /** Whether the bench fills the page. */
 function isCovered({ benchOpen, benchPage, continuous }: EditorState): boolean {
   return benchOpen && benchPage && !continuous;
-}
-
-function pngOf(canvas: HTMLCanvasElement): Promise<Blob> {
-  return new Promise((resolve, reject) => {
-    canvas.toBlob(
-      (blob) => (blob ? resolve(blob) : reject(new Error('The canvas gave no image.'))),
-      'image/png',
-    );
-  });
 }
