@@ -11,6 +11,7 @@ import { DocumentStore } from '../scene/store.ts';
 import { Actions } from './actions/action.ts';
 import { editActions } from './actions/edit.ts';
 import { fileActions } from './actions/file.ts';
+import { keptKeymap } from './actions/keymap.ts';
 import { installShortcuts } from './actions/shortcuts.ts';
 import { viewActions } from './actions/view.ts';
 import { installErrorReports, showStartFailure } from './errors.ts';
@@ -63,7 +64,7 @@ declare global {
 const PATIENCE_MS = 400;
 
 installErrorReports();
-installTooltip();
+installTooltip((action) => session.actions.shortcut(action));
 
 const store = new DocumentStore(createDocument());
 const state = new EditorStateStore();
@@ -91,7 +92,7 @@ const opening: OpenContext = {
 const session: Session = {
   store,
   state,
-  actions: new Actions(),
+  actions: new Actions(keptKeymap()),
   workspace,
   gpuTimes: new GpuTimesBoard(),
   newScene,

@@ -11,10 +11,11 @@ export interface EntryLook {
 }
 
 export function actionEntry(actions: Actions, id: string, look: EntryLook = {}): MenuAction {
-  const { title, keys, enabled } = actions.get(id);
+  const { title, enabled } = actions.get(id);
+  const shortcut = actions.shortcut(id);
   return {
     label: title,
-    ...(keys?.[0] && { shortcut: keys[0] }),
+    ...(shortcut !== undefined && { shortcut }),
     disabled: enabled?.() === false,
     run: () => actions.run(id),
     ...look,

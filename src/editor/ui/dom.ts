@@ -8,6 +8,8 @@ export interface Attributes {
   class?: string | undefined;
   /** Shown by the page's own tooltip (ui/tooltip.ts). */
   tip?: string | undefined;
+  /** The id of the action that it runs: the tooltip says its keys. */
+  keys?: string | undefined;
   on?: Listeners;
   [attribute: string]: string | number | boolean | undefined | Listeners;
 }
@@ -22,6 +24,7 @@ export function h<K extends keyof HTMLElementTagNameMap>(
     if (value === undefined || value === false || name === 'on') continue;
     if (name === 'class') element.className = String(value);
     else if (name === 'tip') element.dataset.tip = String(value);
+    else if (name === 'keys') element.dataset.keys = String(value);
     else element.setAttribute(name, value === true ? '' : String(value));
   }
   for (const [type, listener] of Object.entries(attributes.on ?? {})) {
