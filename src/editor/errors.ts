@@ -1,4 +1,6 @@
 /** What nobody expected still reaches the person: never a blank page, never silence. */
+
+import { t } from './language/language.ts';
 import { h } from './ui/dom.ts';
 import { icon } from './ui/icons.ts';
 import { messageOf, toastError } from './ui/toast.ts';
@@ -7,10 +9,10 @@ export function installErrorReports(): void {
   window.addEventListener('error', (event) => {
     // Chrome reports this when a panel changes size while it is being measured; nothing is wrong.
     if (event.message.startsWith('ResizeObserver loop')) return;
-    toastError('Something went wrong in the page', event.error ?? event.message);
+    toastError(t('Something went wrong in the page'), event.error ?? event.message);
   });
   window.addEventListener('unhandledrejection', (event) => {
-    toastError('Something went wrong in the page', event.reason);
+    toastError(t('Something went wrong in the page'), event.reason);
   });
 }
 
@@ -22,11 +24,13 @@ export function showStartFailure(viewport: HTMLElement, error: unknown): void {
       'div',
       { class: 'failure', role: 'alert' },
       icon('warning'),
-      h('h1', {}, 'This browser gave no way to render'),
+      h('h1', {}, t('This browser gave no way to render')),
       h(
         'p',
         {},
-        'Irradia needs WebGPU or WebGL 2. Update the browser, switch on “Use graphics acceleration when available” in its settings, or try another one. Scenes can still be opened, edited and saved here.',
+        t(
+          'Irradia needs WebGPU or WebGL 2. Update the browser, switch on “Use graphics acceleration when available” in its settings, or try another one. Scenes can still be opened, edited and saved here.',
+        ),
       ),
       h('p', {}, messageOf(error)),
     ),

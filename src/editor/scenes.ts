@@ -2,6 +2,7 @@
 import { loadScene as loadShipped, sceneNames } from '../../scenes/index.ts';
 import { parseDocument } from '../scene/document.ts';
 import type { Document } from '../scene/schema.ts';
+import { t } from './language/language.ts';
 
 export const shippedScenes = sceneNames.map((name) => ({ name, title: titleOf(name) }));
 
@@ -17,6 +18,13 @@ export const isShipped = (name: string | null): boolean => !name?.includes('/');
 export async function loadScene(name?: string): Promise<Document> {
   if (!name?.includes('/')) return loadShipped(name);
   const response = await fetch(new URL(name, location.href));
-  if (!response.ok) throw new Error(`${name}: the server answered ${response.status} ${response.statusText}`);
+  if (!response.ok)
+    throw new Error(
+      t('{name}: the server answered {status} {statusText}', {
+        name,
+        status: response.status,
+        statusText: response.statusText,
+      }),
+    );
   return parseDocument(await response.text(), name);
 }

@@ -1,5 +1,6 @@
 /** Dropping files anywhere on the page; while they hover, the viewport says what it takes. */
 import { measuredExtensions } from '../../scene/measured.ts';
+import { t } from '../language/language.ts';
 import { h } from '../ui/dom.ts';
 import { droppedFiles } from './dropped-files.ts';
 
@@ -8,12 +9,14 @@ export function installDrop(viewport: HTMLElement, onFiles: (files: File[]) => v
   const target = h(
     'div',
     { class: 'drop-target', hidden: true },
-    h('strong', {}, 'Drop to open'),
+    h('strong', {}, t('Drop to open')),
     h(
       'p',
       {},
-      'Scene .json, three.js .json · model .glb .gltf .obj .ply .stl · folder, .zip · ' +
-        `BRDF .brdf .bparam ${measured} · environment .hdr .exr .jpg .png`,
+      t(
+        'Scene .json, three.js .json · model .glb .gltf .obj .ply .stl · folder, .zip · BRDF .brdf .bparam {measured} · environment .hdr .exr .jpg .png',
+        { measured },
+      ),
     ),
   );
   viewport.append(target);

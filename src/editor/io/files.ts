@@ -2,6 +2,7 @@
 import { modelExtensions } from '../../io/model-extensions.ts';
 import { measuredExtensions } from '../../scene/measured.ts';
 import type { Asset, Document } from '../../scene/schema.ts';
+import { t } from '../language/language.ts';
 
 const MEDIA_TYPES: Readonly<Record<string, string>> = {
   png: 'image/png',
@@ -66,7 +67,7 @@ export async function readAsset(file: File): Promise<Asset> {
   const url = await new Promise<string>((resolve, reject) => {
     const reader = new FileReader();
     reader.onload = () => resolve(String(reader.result));
-    reader.onerror = () => reject(reader.error ?? new Error('The browser could not read the file.'));
+    reader.onerror = () => reject(reader.error ?? new Error(t('The browser could not read the file.')));
     reader.readAsDataURL(file);
   });
   return { name: file.name, mediaType: mediaTypeOf(file.name), data: url.slice(url.indexOf(',') + 1) };

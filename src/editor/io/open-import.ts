@@ -2,6 +2,7 @@
 
 import { lightByFile } from '../../io/stage.ts';
 import { trustAsset } from '../../scene/validate.ts';
+import { t, translate } from '../language/language.ts';
 import { startProgress, toast } from '../ui/toast.ts';
 import { pathOf } from './files.ts';
 import { type ImportJob, startJob } from './importer/import-job.ts';
@@ -32,23 +33,24 @@ export async function importFile(
 ): Promise<void> {
   const { store, state, assets } = context;
   const placed = (one: File) => ({ path: pathOf(one), file: one });
-  const { result, source } = await runImport(`Reading ${file.name}`, {
+  const { result, source } = await runImport(t('Reading {file}', { file: file.name }), {
     kind: 'import',
     main: placed(file),
     others: all.filter((other) => other !== file).map(placed),
   });
   switch (result.kind) {
     case 'document':
-      if (await context.replaceDocument(result.document)) toast('success', `Opened ${result.document.name}`);
+      if (await context.replaceDocument(result.document))
+        toast('success', t('Opened {name}', { name: result.document.name }));
       return;
     case 'material': {
       const { addMaterialFile } = await import('../../io/material-file.ts');
       let id = '';
-      store.edit(`Import ${file.name}`, (draft) => {
+      store.edit(t('Import {file}', { file: file.name }), (draft) => {
         id = addMaterialFile(draft, result.material);
       });
       state.select({ kind: 'materials', id });
-      toast('success', `Added the material ${store.document.materials[id]?.name}`);
+      toast('success', t('Added the material {name}', { name: store.document.materials[id]?.name ?? id }));
       return;
     }
     case 'model': {
@@ -64,8 +66,9 @@ export async function importFile(
       // Panels that follow are work of their own: the page may draw in between.
       await new Promise((resolve) => setTimeout(resolve));
       if (ids[0]) state.select({ kind: 'objects', id: ids[0] });
-      toast('success', `Imported ${file.name}`);
-      if (imported.notes.length > 0) toast('note', `About ${file.name}`, imported.notes.join('\n'));
+      toast('success', t('Imported {file}', { file: file.name }));
+      if (imported.notes.length > 0)
+        toast('note', t('About {file}', { file: file.name }), imported.notes.map(translate).join('\n'));
     }
   }
 }

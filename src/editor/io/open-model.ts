@@ -5,6 +5,7 @@ import { addModel, setMaterialModel } from '../../scene/material-commands.ts';
 import { measuredAsset } from '../../scene/measured.ts';
 import { addMeasuredModel } from '../../scene/measured-commands.ts';
 import { findModel } from '../../scene/models.ts';
+import { t } from '../language/language.ts';
 import { toast } from '../ui/toast.ts';
 import { readBytes } from './files.ts';
 import type { OpenContext } from './open.ts';
@@ -27,12 +28,18 @@ function giveModel(target: Target, name: string): void {
   const { store } = target;
   const material = targetMaterial(target);
   if (material === undefined) {
-    toast('success', `Added the model ${name}`, 'Choose it as the model of a material.');
+    toast('success', t('Added the model {name}', { name }), t('Choose it as the model of a material.'));
     return;
   }
   setMaterialModel(store, material, name);
   showMaterial(target, material);
-  toast('success', `${store.document.materials[material]?.name} is now ${name}`);
+  toast(
+    'success',
+    t('{material} is now {model}', {
+      material: store.document.materials[material]?.name ?? material,
+      model: name,
+    }),
+  );
 }
 
 export async function openBrdf(target: Target, file: File): Promise<void> {
@@ -47,8 +54,10 @@ export async function openMeasured(
   file: File,
   onProgress: (text: string, fraction: number | null) => void,
 ): Promise<void> {
-  const bytes = await readBytes(file, (fraction) => onProgress(`Reading ${file.name}`, fraction));
-  onProgress(`Reading the samples of ${file.name}`, null);
+  const bytes = await readBytes(file, (fraction) =>
+    onProgress(t('Reading {file}', { file: file.name }), fraction),
+  );
+  onProgress(t('Reading the samples of {file}', { file: file.name }), null);
   // The page shows the line before this thread is busy.
   await new Promise((resolve) => setTimeout(resolve, 30));
   giveModel(target, addMeasuredModel(target.store, measuredAsset(bytes, file.name)));
@@ -61,20 +70,29 @@ export async function openBparam(target: Target, file: File): Promise<void> {
   const model = findModel(store.document, saved.model);
   if (!model)
     throw new Error(
-      `${file.name} has values for ${saved.source}, and there is no model ${saved.model} here. ` +
-        `Add ${saved.source} first, or drop both files together.`,
+      t(
+        '{file} has values for {source}, and there is no model {model} here. Add {source} first, or drop both files together.',
+        { file: file.name, source: saved.source, model: saved.model },
+      ),
     );
   const id = targetMaterial(target);
   if (id === undefined)
-    throw new Error('The scene has no material that could take the values. Add one first.');
+    throw new Error(t('The scene has no material that could take the values. Add one first.'));
   const { values, unknown } = savedValues(saved, model.parameters);
   if (store.document.materials[id]?.model !== saved.model) setMaterialModel(store, id, saved.model);
-  store.edit(`Parameters of ${file.name}`, (draft) => {
+  store.edit(t('Parameters of {file}', { file: file.name }), (draft) => {
     const material = draft.materials[id];
     if (material) material.parameters = structuredClone(values) as typeof material.parameters;
   });
   showMaterial(target, id);
-  toast('success', `${store.document.materials[id]?.name} has the values of ${file.name}`);
+  toast(
+    'success',
+    t('{name} has the values of {file}', { name: store.document.materials[id]?.name ?? id, file: file.name }),
+  );
   if (unknown.length > 0)
-    toast('info', `About ${file.name}`, `${saved.model} has no such parameters: ${unknown.join(', ')}.`);
+    toast(
+      'info',
+      t('About {file}', { file: file.name }),
+      t('{model} has no such parameters: {list}.', { model: saved.model, list: unknown.join(', ') }),
+    );
 }

@@ -7,6 +7,7 @@ import { keepAsset } from '../../scene/commands.ts';
 import { measuredKinds } from '../../scene/measured.ts';
 import type { Document } from '../../scene/schema.ts';
 import type { DocumentStore } from '../../scene/store.ts';
+import { plural, t } from '../language/language.ts';
 import type { EditorStateStore } from '../state.ts';
 import { confirm } from '../ui/confirm.ts';
 import { startProgress, toast, toastError } from '../ui/toast.ts';
@@ -23,9 +24,10 @@ export interface OpenContext {
   replaceDocument(document: Document): Promise<boolean>;
 }
 
-const FORMATS =
-  'It opens scenes (.json, those of three.js too), models (.glb, .gltf, .obj, .ply, .stl), folders and .zip archives of ' +
-  `them, BRDFs (.brdf, .bparam), measured BRDFs: ${measuredKinds}, environments (.hdr, .exr) and images.`;
+const FORMATS = t(
+  'It opens scenes (.json, those of three.js too), models (.glb, .gltf, .obj, .ply, .stl), folders and .zip archives of them, BRDFs (.brdf, .bparam), measured BRDFs: {measured}, environments (.hdr, .exr) and images.',
+  { measured: measuredKinds },
+);
 
 /** More models than this at once are asked about: an archive may be a whole library. */
 const MANY_MODELS = 12;
@@ -49,15 +51,22 @@ export async function openFiles(
   const toOpen = filesToOpen(files);
   if (toOpen.length === 0) {
     if (given[0] && fileKind(given[0].name) !== 'archive')
-      toast('error', `${given[0].name}: not a kind of file that Irradia opens`, FORMATS);
+      toast('error', t('{name}: not a kind of file that Irradia opens', { name: given[0].name }), FORMATS);
     else if (given[0] && files.length > 0)
-      toast('error', `${given[0].name}: nothing in it is a kind of file that Irradia opens`, FORMATS);
+      toast(
+        'error',
+        t('{name}: nothing in it is a kind of file that Irradia opens', { name: given[0].name }),
+        FORMATS,
+      );
     return;
   }
   const models = toOpen.filter((file) => fileKind(file.name) === 'model').length;
   if (models > MANY_MODELS) {
-    const detail = 'They come with all that lies beside them. Each is an undo step of its own.';
-    if (!(await confirm(`Import ${models} models?`, detail, 'Import'))) return;
+    const detail = t('They come with all that lies beside them. Each is an undo step of its own.');
+    if (
+      !(await confirm(plural(models, 'Import {count} model?', 'Import {count} models?'), detail, t('Import')))
+    )
+      return;
   }
   for (const file of toOpen) if (!(await openFile(context, file, files, options))) return;
 }
@@ -70,14 +79,14 @@ export async function openAddress(
 ): Promise<void> {
   const name = address.replace(/[?#].*$/, '').replace(/^.*\//, '') || address;
   try {
-    const { result } = await runImport(`Fetching ${name}`, {
+    const { result } = await runImport(t('Fetching {name}', { name }), {
       kind: 'fetch',
       url: new URL(address, location.href).href,
     });
     if (result.kind === 'files') await openFiles(context, result.files.map(placedFile), options);
   } catch (error) {
     if (!(error instanceof ImportCancelled))
-      toastError(`${name} was not opened; the scene is unchanged`, error);
+      toastError(t('{name} was not opened; the scene is unchanged', { name }), error);
   }
 }
 
@@ -120,7 +129,7 @@ function placedFile({ path, bytes }: { path: string; bytes: Uint8Array<ArrayBuff
 
 async function unpacked(archive: File): Promise<File[]> {
   try {
-    const { result } = await runImport(`Reading ${archive.name}`, {
+    const { result } = await runImport(t('Reading {file}', { file: archive.name }), {
       kind: 'unzip',
       archive: { path: pathOf(archive), file: archive },
     });
@@ -130,7 +139,7 @@ async function unpacked(archive: File): Promise<File[]> {
       : [];
   } catch (error) {
     if (!(error instanceof ImportCancelled))
-      toastError(`${archive.name} was not opened; the scene is unchanged`, error);
+      toastError(t('{file} was not opened; the scene is unchanged', { file: archive.name }), error);
     return [];
   }
 }
@@ -143,8 +152,9 @@ async function openFile(
   options: OpenOptions,
 ): Promise<boolean> {
   const kind = fileKind(file.name);
-  const progress = kind === 'json' || kind === 'model' ? null : startProgress(`Reading ${file.name}`);
-  progress?.update(`Reading ${file.name}`, null);
+  const progress =
+    kind === 'json' || kind === 'model' ? null : startProgress(t('Reading {file}', { file: file.name }));
+  progress?.update(t('Reading {file}', { file: file.name }), null);
   try {
     switch (kind) {
       case 'json':
@@ -172,7 +182,7 @@ async function openFile(
     }
   } catch (error) {
     if (error instanceof ImportCancelled) return false;
-    toastError(`${file.name} was not opened; the scene is unchanged`, error);
+    toastError(t('{file} was not opened; the scene is unchanged', { file: file.name }), error);
   } finally {
     progress?.done();
   }
@@ -183,29 +193,30 @@ async function openEnvironment({ store, assets }: OpenContext, file: File): Prom
   const asset = await readAsset(file);
   // What cannot be decoded must not get into the document.
   (await assets.environment(asset)).dispose();
-  store.edit(`Environment ${file.name}`, (draft) => {
+  store.edit(t('Environment {file}', { file: file.name }), (draft) => {
     const id = keepAsset(draft, asset);
     draft.environment.source = { type: 'hdr', asset: id };
   });
-  toast('success', `${file.name} lights the scene`);
+  toast('success', t('{file} lights the scene', { file: file.name }));
 }
 
 /** An image twice as wide as high shows all directions; of any other nobody knows where it should go. */
 async function openImage(context: OpenContext, file: File, environment: boolean): Promise<void> {
   const bitmap = await createImageBitmap(file).catch(() => null);
-  if (bitmap === null) throw new Error('It is not an image that this browser can read.');
+  if (bitmap === null) throw new Error(t('It is not an image that this browser can read.'));
   const { width, height } = bitmap;
   bitmap.close();
   if (environment || (width === 2 * height && width >= 256)) {
     await openEnvironment(context, file);
-    const detail =
-      'It has 8 bits: nothing in it is brighter than white, so the sun is not. HDR and EXR images have it.';
-    toast('info', `About ${file.name}`, detail);
+    const detail = t(
+      'It has 8 bits: nothing in it is brighter than white, so the sun is not. HDR and EXR images have it.',
+    );
+    toast('info', t('About {file}', { file: file.name }), detail);
     return;
   }
   toast(
     'info',
-    `${file.name}: where should this image go?`,
-    'Drop it on the square beside a value of a material, or choose it as the environment of the scene.',
+    t('{file}: where should this image go?', { file: file.name }),
+    t('Drop it on the square beside a value of a material, or choose it as the environment of the scene.'),
   );
 }

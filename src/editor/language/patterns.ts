@@ -16,6 +16,21 @@ const patternsOf = new WeakMap<Catalogue, readonly Pattern[]>();
 
 /** The translation of the text, or the text itself where the catalogue has none. */
 export function matchPatterns(catalogue: Catalogue, text: string): string {
+  return entryFor(catalogue, text) ?? partsOf(catalogue, text);
+}
+
+/** What is wrong, after the place where it is; one sentence or several. */
+function partsOf(catalogue: Catalogue, text: string): string {
+  for (const separator of ['\n', '; ', ': ']) {
+    const at = text.indexOf(separator);
+    if (at < 0) continue;
+    const [first, rest] = [text.slice(0, at), text.slice(at + separator.length)];
+    return `${entryFor(catalogue, first) ?? first}${separator}${matchPatterns(catalogue, rest)}`;
+  }
+  return text;
+}
+
+function entryFor(catalogue: Catalogue, text: string): string | null {
   const exact = catalogue[text];
   if (typeof exact === 'string') return exact;
   for (const { expression, holes, target } of patterns(catalogue)) {
@@ -28,7 +43,7 @@ export function matchPatterns(catalogue: Catalogue, text: string): string {
       return TRANSLATED_HOLES.has(name) ? matchPatterns(catalogue, value) : value;
     });
   }
-  return text;
+  return null;
 }
 
 /** Those with the most words of their own first: they say most exactly what the text is. */

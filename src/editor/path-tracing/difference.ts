@@ -1,6 +1,7 @@
 /** The map of how different a person would find the two renderings, with its key and mean, over the viewport. */
 
 import { magma } from '../../analysis/flip/magma.ts';
+import { t } from '../language/language.ts';
 import type { Session } from '../session.ts';
 import { h } from '../ui/dom.ts';
 import { toastError } from '../ui/toast.ts';
@@ -29,7 +30,11 @@ export function createDifference(
   tracing: PathTracing,
   readPair: () => Promise<ImagePair | null>,
 ): DifferenceView {
-  const canvas = h('canvas', { class: 'difference-map', 'aria-label': 'Map of the difference', role: 'img' });
+  const canvas = h('canvas', {
+    class: 'difference-map',
+    'aria-label': t('Map of the difference'),
+    role: 'img',
+  });
   const mean = h('output', { class: 'difference-mean' });
   const element = h(
     'div',
@@ -38,9 +43,9 @@ export function createDifference(
     h(
       'div',
       { class: 'difference-key', tip: KEY_TIP },
-      h('div', { class: 'difference-line' }, h('span', {}, 'FLIP: visible difference'), mean),
+      h('div', { class: 'difference-line' }, h('span', {}, t('FLIP: visible difference')), mean),
       colorBar(),
-      h('div', { class: 'difference-line' }, h('span', {}, '0 none'), h('span', {}, '1 largest')),
+      h('div', { class: 'difference-line' }, h('span', {}, t('0 none')), h('span', {}, t('1 largest'))),
     ),
   );
   const compare = comparer();
@@ -62,7 +67,7 @@ export function createDifference(
     element.hidden = rendering !== 'difference';
     if (tracing.state.kind !== 'picture') shown = null;
     canvas.hidden = shown === null;
-    if (shown === null) mean.textContent = 'not yet';
+    if (shown === null) mean.textContent = t('not yet');
     if (busy || !isNews() || tracing.state.kind !== 'picture') return;
     busy = true;
     const { texture } = tracing;
@@ -77,13 +82,13 @@ export function createDifference(
       // What is looked at may be another picture by now.
       if (picture && texture === tracing.texture) {
         draw(canvas, picture);
-        mean.textContent = `mean ${picture.mean.toFixed(4)}`;
+        mean.textContent = t('mean {value}', { value: picture.mean.toFixed(4) });
         shown = next;
         canvas.hidden = false;
       }
     } catch (error) {
       shown = next;
-      toastError('The pictures could not be compared', error);
+      toastError(t('The pictures could not be compared'), error);
     } finally {
       busy = false;
     }
@@ -101,9 +106,9 @@ export function createDifference(
   };
 }
 
-const KEY_TIP =
-  'How different a person would find the two when flipping between them (FLIP, Andersson et al. 2020), on a screen ' +
-  'with 67 pixels per degree. The mean is over all pixels.';
+const KEY_TIP = t(
+  'How different a person would find the two when flipping between them (FLIP, Andersson et al. 2020), on a screen with 67 pixels per degree. The mean is over all pixels.',
+);
 
 /** One comparison at a time; the thread is there from the first one on. */
 function comparer(): (pair: ImagePair) => Promise<FlipPicture> {
@@ -115,7 +120,7 @@ function comparer(): (pair: ImagePair) => Promise<FlipPicture> {
       thread.onmessage = ({ data }: MessageEvent<FlipPicture>) => resolve(data);
       thread.onerror = ({ message }) => {
         worker = null;
-        reject(new Error(message || 'the worker could not be loaded'));
+        reject(new Error(message || t('the worker could not be loaded')));
       };
       const reference = { width, height, pixels: traced };
       const test = { width, height, pixels: interactive };

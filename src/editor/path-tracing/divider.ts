@@ -1,4 +1,6 @@
 /** The line between the two renderings: drag it, or move it with the arrow keys. */
+
+import { t } from '../language/language.ts';
 import type { Session } from '../session.ts';
 import { h } from '../ui/dom.ts';
 import type { PathTracing } from './path-tracing.ts';
@@ -12,7 +14,7 @@ export function createDivider({ state }: Session, tracing: PathTracing): HTMLEle
     role: 'separator',
     tabindex: 0,
     'aria-orientation': 'vertical',
-    'aria-label': 'Divider between the interactive and the path traced picture',
+    'aria-label': t('Divider between the interactive and the path traced picture'),
     'aria-valuemin': 0,
     'aria-valuemax': 100,
   });
@@ -20,7 +22,7 @@ export function createDivider({ state }: Session, tracing: PathTracing): HTMLEle
   const element = h(
     'div',
     { class: 'split', hidden: true },
-    h('span', { class: 'split-label left' }, 'Interactive'),
+    h('span', { class: 'split-label left' }, t('Interactive')),
     right,
     line,
   );
@@ -54,7 +56,7 @@ export function createDivider({ state }: Session, tracing: PathTracing): HTMLEle
     element.hidden = rendering !== 'split';
     element.style.setProperty('--divider', `${100 * divider}%`);
     line.setAttribute('aria-valuenow', String(Math.round(100 * divider)));
-    right.textContent = tracing.texture ? 'Path traced' : 'Path traced: not yet';
+    right.textContent = tracing.texture ? t('Path traced') : t('Path traced: not yet');
   };
   state.subscribe((now, before) => {
     if (now.rendering !== before.rendering || now.divider !== before.divider) show();

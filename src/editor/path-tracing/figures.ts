@@ -1,22 +1,23 @@
 /** What is said of a path traced picture, and how complete it is. */
 import type { PathTracing as Settings } from '../../scene/schema.ts';
+import { plural, t } from '../language/language.ts';
 import type { Device, Figures, Phase } from './messages.ts';
 import type { TracingState } from './path-tracing.ts';
 
 type PictureState = Extract<TracingState, { kind: 'picture' }>;
 
 const PHASES: Readonly<Record<Phase, string>> = {
-  packing: 'Packing the scene',
-  compiling: 'Compiling the kernel',
-  tracing: 'First sample',
+  packing: t('Packing the scene'),
+  compiling: t('Compiling the kernel'),
+  tracing: t('First sample'),
 };
 
 /** @param denoised samples that the denoised picture was made of, null where the noisy one is shown */
 export function describe(state: TracingState, paused: boolean, denoised: number | null): string {
   if (state.kind === 'failed') return state.message;
-  if (state.kind === 'idle') return 'Starts when the camera rests';
+  if (state.kind === 'idle') return t('Starts when the camera rests');
   if (state.kind === 'starting') {
-    if (paused && state.phase === 'tracing') return 'Paused';
+    if (paused && state.phase === 'tracing') return t('Paused');
     const percent = state.part > 0 ? ` ${Math.round(100 * state.part)} %` : '…';
     return `${PHASES[state.phase]}${percent}`;
   }
@@ -34,16 +35,18 @@ export function describe(state: TracingState, paused: boolean, denoised: number 
 }
 
 function denoisedText({ figures, denoising }: PictureState, denoised: number | null): string {
-  if (denoised === figures.samples) return 'denoised';
-  if (denoised !== null) return `denoised at ${denoised}`;
-  return denoising === null ? '' : `denoising ${Math.round(100 * denoising)} %`;
+  if (denoised === figures.samples) return t('denoised');
+  if (denoised !== null) return t('denoised at {denoised}', { denoised });
+  return denoising === null ? '' : t('denoising {percent} %', { percent: Math.round(100 * denoising) });
 }
 
 /** How fast it is, and what does it. */
 export function describeDevice(state: TracingState, device: Device | null): string {
   if (device === null) return '';
   const by = device.note === '' ? device.name : `${device.name}, as ${device.note}`;
-  return state.kind === 'picture' ? `${speed(state.figures.pathsPerSecond)} by ${by}` : by;
+  return state.kind === 'picture'
+    ? t('{speed} by {device}', { speed: speed(state.figures.pathsPerSecond), device: by })
+    : by;
 }
 
 /** The way to whichever goal is nearer; the error falls with the square root of the samples. Null: not known yet. */
@@ -55,19 +58,22 @@ export function fractionOf(state: TracingState, goal: Pick<Settings, 'samples' |
   return Math.min(1, Math.max(done / goal.samples, now > 0 ? (goal.error / now) ** 2 : 1));
 }
 
-const samples = (count: number) => `${count} sample${count === 1 ? '' : 's'}/pixel`;
+const samples = (count: number) => plural(count, '1 sample/pixel', '{count} samples/pixel');
 
 function duration(seconds: number): string {
   if (seconds < 60) return `${seconds.toFixed(1)} s`;
-  return `${Math.floor(seconds / 60)} min ${Math.floor(seconds % 60)} s`;
+  return t('{minutes} min {seconds} s', {
+    minutes: Math.floor(seconds / 60),
+    seconds: Math.floor(seconds % 60),
+  });
 }
 
 function error(relative: Figures['error']): string {
-  if (!Number.isFinite(relative)) return 'error –';
+  if (!Number.isFinite(relative)) return t('error –');
   const percent = 100 * relative;
-  return `error ${percent >= 100 ? Math.round(percent) : percent.toPrecision(2)} %`;
+  return t('error {value} %', { value: percent >= 100 ? Math.round(percent) : percent.toPrecision(2) });
 }
 
 function speed(pathsPerSecond: number): string {
-  return `${(pathsPerSecond / 1e6).toPrecision(2)} Mpaths/s`;
+  return t('{millions} Mpaths/s', { millions: (pathsPerSecond / 1e6).toPrecision(2) });
 }

@@ -1,13 +1,18 @@
 /** Interactive, path traced, both side by side, or how they differ: a radio group. */
+
+import { t } from '../language/language.ts';
 import type { Session } from '../session.ts';
 import { type Rendering, renderings } from '../state.ts';
 import { h } from '../ui/dom.ts';
 
 const LABELS: Readonly<Record<Rendering, readonly [label: string, tip: string]>> = {
-  interactive: ['Interactive', 'What the GPU draws at once: no shadows, no light from surface to surface'],
-  traced: ['Path traced', 'Ground truth: light as it travels, sample by sample'],
-  split: ['Split', 'Interactive at the left, path traced at the right of a divider'],
-  difference: ['Difference', 'How different a person would find the two, pixel by pixel'],
+  interactive: [
+    t('Interactive'),
+    t('What the GPU draws at once: no shadows, no light from surface to surface'),
+  ],
+  traced: [t('Path traced'), t('Ground truth: light as it travels, sample by sample')],
+  split: [t('Split'), t('Interactive at the left, path traced at the right of a divider')],
+  difference: [t('Difference'), t('How different a person would find the two, pixel by pixel')],
 };
 
 export function createModeSwitch({ state }: Session): HTMLElement {
@@ -19,7 +24,7 @@ export function createModeSwitch({ state }: Session): HTMLElement {
   });
   const element = h(
     'div',
-    { class: 'mode-switch', role: 'radiogroup', 'aria-label': 'Rendering' },
+    { class: 'mode-switch', role: 'radiogroup', 'aria-label': t('Rendering') },
     ...buttons,
   );
   element.addEventListener('keydown', (event) => {

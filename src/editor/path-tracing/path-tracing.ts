@@ -4,6 +4,7 @@
  */
 import { DataTexture, HalfFloatType, LinearFilter, RGBAFormat } from 'three/webgpu';
 import type { Camera, Document } from '../../scene/schema.ts';
+import { t } from '../language/language.ts';
 import type { Session } from '../session.ts';
 import { toastError } from '../ui/toast.ts';
 import { changeOf, sameScene } from './document-change.ts';
@@ -135,7 +136,7 @@ export class PathTracing {
         this.#waitingForExr.push(resolve);
         this.#send({ kind: 'exr', origin, denoised: this.denoised !== null });
       }));
-    if (!file) throw new Error('There is no path traced picture yet.');
+    if (!file) throw new Error(t('There is no path traced picture yet.'));
     return file;
   }
 
@@ -226,7 +227,7 @@ export class PathTracing {
       if (this.#state.kind !== 'picture') this.#setState({ kind: 'starting', phase, part });
     } else if (message.kind === 'failed') this.#setState({ kind: 'failed', message: message.message });
     else if (message.kind === 'not-denoised') {
-      toastError('The picture could not be denoised', new Error(message.message));
+      toastError(t('The picture could not be denoised'), new Error(message.message));
       if (this.#state.kind === 'picture') this.#setState({ ...this.#state, denoising: null });
     } else if (message.kind === 'denoising') {
       if (this.#state.kind === 'picture') this.#setState({ ...this.#state, denoising: message.part });

@@ -1,13 +1,15 @@
 /** How far the path traced picture is: samples, time, error, speed; pause and go on; denoise. */
+
+import { t } from '../language/language.ts';
 import type { Session } from '../session.ts';
 import { h } from '../ui/dom.ts';
 import { icon, setIcon } from '../ui/icons.ts';
 import { describe, describeDevice, fractionOf } from './figures.ts';
 import type { PathTracing } from './path-tracing.ts';
 
-const DENOISE_TIP =
-  'Takes the noise out, and some of what is small or faint with it: when the samples have doubled, when the picture ' +
-  'is complete, and at a pause. What is saved and compared is denoised, too; an EXR keeps the noisy radiance in a layer.';
+const DENOISE_TIP = t(
+  'Takes the noise out, and some of what is small or faint with it: when the samples have doubled, when the picture is complete, and at a pause. What is saved and compared is denoised, too; an EXR keeps the noisy radiance in a layer.',
+);
 
 export function createProgress({ store, state }: Session, tracing: PathTracing): HTMLElement {
   const text = h('span', { class: 'tracing-text' });
@@ -15,19 +17,19 @@ export function createProgress({ store, state }: Session, tracing: PathTracing):
   const bar = h('div', {
     class: 'bar',
     role: 'progressbar',
-    'aria-label': 'Path traced picture',
+    'aria-label': t('Path traced picture'),
     'aria-valuemin': 0,
     'aria-valuemax': 100,
   });
   bar.append(h('div', { class: 'bar-fill' }));
   const pause = h('button', { type: 'button', class: 'icon-button' }, icon('pause'));
   pause.addEventListener('click', () => state.set({ tracingPaused: !state.value.tracingPaused }));
-  const denoise = h('button', { type: 'button', class: 'tracing-denoise', tip: DENOISE_TIP }, 'Denoise');
+  const denoise = h('button', { type: 'button', class: 'tracing-denoise', tip: DENOISE_TIP }, t('Denoise'));
   denoise.addEventListener('click', () => state.set({ denoise: !state.value.denoise }));
   const whole = h(
     'span',
     { class: 'tracing-note', hidden: true },
-    'One term alone is seen only interactively',
+    t('One term alone is seen only interactively'),
   );
   const element = h(
     'div',
@@ -53,8 +55,8 @@ export function createProgress({ store, state }: Session, tracing: PathTracing):
     device.textContent = describeDevice(current, tracing.device);
     whole.hidden = store.document.view.term === null;
     denoise.setAttribute('aria-pressed', String(state.value.denoise));
-    pause.setAttribute('aria-label', paused ? 'Go on path tracing' : 'Pause path tracing');
-    pause.dataset.tip = paused ? 'Go on (P)' : 'Pause (P)';
+    pause.setAttribute('aria-label', paused ? t('Go on path tracing') : t('Pause path tracing'));
+    pause.dataset.tip = paused ? t('Go on (P)') : t('Pause (P)');
     pause.setAttribute('aria-pressed', String(paused));
     setIcon(pause, paused ? 'play' : 'pause');
   };

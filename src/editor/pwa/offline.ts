@@ -1,4 +1,6 @@
 /** Makes the page work without a network, and tells when a newer build is ready. */
+
+import { t } from '../language/language.ts';
 import { toast } from '../ui/toast.ts';
 
 /** Between looks for a newer build, by a page that stays open. */
@@ -35,8 +37,8 @@ async function offer(worker: ServiceWorker, reload: () => Promise<void>): Promis
   // The page comes from the network and may be of that build already.
   if (await lists(worker, document.querySelector<HTMLScriptElement>('script[type=module]')?.src ?? ''))
     return;
-  toast('info', 'A new version of Irradia is ready', 'What you are doing is kept.', {
-    label: 'Reload',
+  toast('info', t('A new version of Irradia is ready'), t('What you are doing is kept.'), {
+    label: t('Reload'),
     run: () => {
       navigator.serviceWorker.addEventListener('controllerchange', () => void reload(), { once: true });
       worker.postMessage('take over');

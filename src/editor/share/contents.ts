@@ -1,5 +1,6 @@
 /** What makes a document large, for whoever wants to send a small one. */
 import type { Document } from '../../scene/schema.ts';
+import { t } from '../language/language.ts';
 
 export interface Part {
   readonly name: string;
@@ -16,7 +17,7 @@ export function largestParts(document: Document, most: number): Part[] {
   for (const asset of Object.values(document.assets))
     parts.push({ name: asset.name, size: (asset.data.length / 4) * 3 });
   for (const [name, model] of Object.entries(document.models))
-    if ('source' in model) parts.push({ name: `the model ${name}`, size: model.source.length });
+    if ('source' in model) parts.push({ name: t('the model {name}', { name }), size: model.source.length });
   for (const name of ['objects', 'materials', 'lights'] as const) {
     const count = Object.keys(document[name]).length;
     parts.push({ name: `${count} ${name}`, size: JSON.stringify(document[name]).length });

@@ -6,6 +6,7 @@
 import { compactDocument } from '../../scene/compact.ts';
 import { parseDocument } from '../../scene/document.ts';
 import type { Document } from '../../scene/schema.ts';
+import { t } from '../language/language.ts';
 
 /**
  * Characters of an address with its link. The narrowest place on a link's way is the address bar: Chromium's
@@ -43,7 +44,7 @@ export async function documentOfLink(fragment: string): Promise<Document> {
 }
 
 const damaged = (cause?: unknown) =>
-  new Error('The link is damaged: a part of it may have been cut off where it was copied.', { cause });
+  new Error(t('The link is damaged: a part of it may have been cut off where it was copied.'), { cause });
 
 async function inflated(bytes: Uint8Array<ArrayBuffer>): Promise<string> {
   const stream = inSlices(bytes).pipeThrough(new DecompressionStream('deflate-raw'));
@@ -61,7 +62,9 @@ async function inflated(bytes: Uint8Array<ArrayBuffer>): Promise<string> {
   }
   // Ends the unpacking, however much more there would be.
   await reader.cancel();
-  throw new Error(`The link holds more than ${MAX_TEXT / 1024 / 1024} MB, which no shared scene needs.`);
+  throw new Error(
+    t('The link holds more than {value} MB, which no shared scene needs.', { value: MAX_TEXT / 1024 / 1024 }),
+  );
 }
 
 /** Whatever is put into the browser's unpacking comes out whole, so little at a time is put in. */

@@ -1,4 +1,6 @@
 /** The dialog that hands over a link with the whole document, or says why it has to be a file. */
+
+import { language, t } from '../language/language.ts';
 import { bytesText } from '../panels/documents/format.ts';
 import type { Session } from '../session.ts';
 import { h } from '../ui/dom.ts';
@@ -15,7 +17,7 @@ export async function openShare(session: Session): Promise<void> {
     const address = `${location.origin}${location.pathname}${await linkFor(session.store.document)}`;
     showDialog(address.length <= MAX_ADDRESS ? linkParts(address) : tooLongParts(session, address.length));
   } catch (error) {
-    toastError('There is no link for this document', error);
+    toastError(t('There is no link for this document'), error);
   }
 }
 
@@ -25,38 +27,42 @@ function linkParts(address: string): HTMLElement[] {
     class: 'text-field',
     readonly: true,
     value: address,
-    'aria-label': 'Link',
+    'aria-label': t('Link'),
   });
   field.addEventListener('focus', () => field.select());
-  const copy = h('button', { type: 'submit', class: 'text-button primary' }, icon('copy'), 'Copy link');
+  const copy = h('button', { type: 'submit', class: 'text-button primary' }, icon('copy'), t('Copy link'));
   copy.addEventListener('click', async (event) => {
     event.preventDefault();
     try {
       await navigator.clipboard.writeText(address);
       copy.closest('dialog')?.close();
-      toast('success', 'The link is in the clipboard');
+      toast('success', t('The link is in the clipboard'));
     } catch {
       // Not every browser or page may write there; the person can.
       field.focus();
-      toast('info', 'Copy the marked link', 'This browser did not let the page do it.');
+      toast('info', t('Copy the marked link'), t('This browser did not let the page do it.'));
     }
   });
-  const length = address.length.toLocaleString();
+  const length = address.length.toLocaleString(language);
   return [
-    h('h1', {}, 'Share as a link'),
+    h('h1', {}, t('Share as a link')),
     h(
       'p',
       {},
-      'The link itself carries the whole document: objects, materials, lights, models and files. Nothing is uploaded.',
+      t(
+        'The link itself carries the whole document: objects, materials, lights, models and files. Nothing is uploaded.',
+      ),
     ),
     h('div', { class: 'share-link' }, field, copy),
     h(
       'p',
       { class: 'hint' },
-      `${length} characters.`,
+      `${t('{length} characters.', { length })} `,
       address.length > SHORT_MESSAGE
-        ? ` Some chats cut messages at ${SHORT_MESSAGE.toLocaleString()}; for those, save a file.`
-        : ' Short enough for any chat.',
+        ? t('Some chats cut messages at {most}; for those, save a file.', {
+            most: SHORT_MESSAGE.toLocaleString(language),
+          })
+        : t('Short enough for any chat.'),
     ),
   ];
 }
@@ -66,16 +72,20 @@ function tooLongParts(session: Session, length: number): HTMLElement[] {
     'button',
     { type: 'submit', class: 'text-button primary', value: 'file' },
     icon('save'),
-    'Save as a file',
+    t('Save as a file'),
   );
   file.addEventListener('click', () => session.save());
   const parts = largestParts(session.store.document, 4);
   return [
-    h('h1', {}, 'Too large for a link'),
+    h('h1', {}, t('Too large for a link')),
     h(
       'p',
       {},
-      `The link would have ${length.toLocaleString()} characters. Address bars take ${MAX_ADDRESS.toLocaleString()}, so it is ${(length - MAX_ADDRESS).toLocaleString()} too long.`,
+      t('The link would have {length} characters. Address bars take {most}, so it is {excess} too long.', {
+        length: length.toLocaleString(language),
+        most: MAX_ADDRESS.toLocaleString(language),
+        excess: (length - MAX_ADDRESS).toLocaleString(language),
+      }),
     ),
     h(
       'ul',
@@ -89,7 +99,7 @@ function tooLongParts(session: Session, length: number): HTMLElement[] {
 function showDialog(parts: readonly HTMLElement[]): void {
   const close = h(
     'button',
-    { type: 'submit', class: 'icon-button share-close', 'aria-label': 'Close', tip: 'Close (Esc)' },
+    { type: 'submit', class: 'icon-button share-close', 'aria-label': t('Close'), tip: t('Close (Esc)') },
     icon('close'),
   );
   const dialog = h('dialog', { class: 'confirm share' }, h('form', { method: 'dialog' }, ...parts, close));

@@ -4,6 +4,7 @@
  */
 import type { Document } from '../../scene/schema.ts';
 import type { DocumentStore } from '../../scene/store.ts';
+import { t } from '../language/language.ts';
 import { type KeptDocument, type KeptDocuments, newlyKept } from './kept-documents.ts';
 import { hashAssets, isHashed } from './stored-document.ts';
 
@@ -178,7 +179,7 @@ export class Autosave {
     if (before === null || Date.now() - this.#lastVersion < VERSION_MS) return;
     this.#lastVersion = Date.now();
     try {
-      await storage.addVersion(kept.id, before, first ? 'As it was opened' : null);
+      await storage.addVersion(kept.id, before, first ? t('As it was opened') : null);
     } catch (error) {
       this.#failed(error, kept);
     }

@@ -1,4 +1,6 @@
 /** A GPU that is lost takes the picture along but nothing else: a new page opens with the same document. */
+
+import { t } from '../language/language.ts';
 import { toast } from '../ui/toast.ts';
 import type { Workspace } from './workspace.ts';
 
@@ -17,8 +19,8 @@ export function recoverFromLoss(workspace: Workspace, message: string): void {
     void workspace.reload();
     return;
   }
-  toast('error', lost ? 'The GPU was lost' : 'The GPU reported an error', message, {
-    label: 'Reload',
+  toast('error', lost ? t('The GPU was lost') : t('The GPU reported an error'), message, {
+    label: t('Reload'),
     run: () => void workspace.reload(),
   });
 }

@@ -4,6 +4,7 @@
  * that all writing together stays in proportion to the edits.
  */
 import type { Document } from '../../scene/schema.ts';
+import { t } from '../language/language.ts';
 import { applyChange, type Change, changeBetween } from './changes.ts';
 import { completed, openDatabase, result, type StoreName } from './database.ts';
 import { bytesOf, hashAssets, putTogether, takeApart } from './stored-document.ts';
@@ -54,7 +55,7 @@ export class KeptDocuments {
   /** Rejects where the browser keeps nothing: in some private windows, or when storage is forbidden. */
   static async open(): Promise<KeptDocuments> {
     // Hashes are only to be had where the page cannot have been tampered with on its way.
-    if (!crypto.subtle) throw new Error('The page was not loaded over https.');
+    if (!crypto.subtle) throw new Error(t('The page was not loaded over https.'));
     return new KeptDocuments(await openDatabase());
   }
 
@@ -86,7 +87,7 @@ export class KeptDocuments {
 
   async #readText(owner: string, name: string, changes: readonly string[]): Promise<Document> {
     const text: string | undefined = await result(this.#read('texts').get(owner));
-    if (text === undefined) throw new Error(`“${name}” is no longer in this browser.`);
+    if (text === undefined) throw new Error(t('“{name}” is no longer in this browser.', { name }));
     let json: Record<string, unknown> = JSON.parse(text);
     for (const change of changes) json = applyChange(json, JSON.parse(change) as Change);
     return putTogether(json, name, (sha256) => result(this.#read('assets').get(sha256)));

@@ -5,6 +5,7 @@
 import { serializeDocument } from '../../scene/document.ts';
 import type { DocumentStore } from '../../scene/store.ts';
 import { download, fileNameOf } from '../io/files.ts';
+import { t } from '../language/language.ts';
 import { toast, toastError } from '../ui/toast.ts';
 import type { Workspace } from './workspace.ts';
 
@@ -33,7 +34,7 @@ export async function saveDocument(
     if (!window.showSaveFilePicker) {
       download(name, content);
       await workspace.savedTo(null);
-      toast('success', `Saved ${name}`);
+      toast('success', t('Saved {name}', { name }));
       return;
     }
     const file = (as ? null : await permitted(workspace.file)) ?? (await chooseFile(name));
@@ -42,9 +43,9 @@ export async function saveDocument(
     await writer.write(content);
     await writer.close();
     await workspace.savedTo(file);
-    toast('success', `Saved ${file.name}`);
+    toast('success', t('Saved {file}', { file: file.name }));
   } catch (error) {
-    toastError('The document was not saved', error);
+    toastError(t('The document was not saved'), error);
   }
 }
 
@@ -56,7 +57,7 @@ async function permitted(file: FileSystemFileHandle | null): Promise<FileSystemF
 
 /** Null when the person thinks better of it. */
 async function chooseFile(suggestedName: string): Promise<FileSystemFileHandle | null> {
-  const types = [{ description: 'Irradia document', accept: { 'application/json': ['.json'] } }];
+  const types = [{ description: t('Irradia document'), accept: { 'application/json': ['.json'] } }];
   try {
     return (await window.showSaveFilePicker?.({ suggestedName, types })) ?? null;
   } catch (error) {

@@ -5,6 +5,7 @@
 import { decodeBase64 } from '../../scene/base64.ts';
 import { parseDocument } from '../../scene/document.ts';
 import type { Asset, Document } from '../../scene/schema.ts';
+import { t } from '../language/language.ts';
 
 export interface StoredAsset {
   readonly name: string;
@@ -92,7 +93,10 @@ export async function putTogether(
   const assets: Record<string, unknown> = {};
   for (const [id, stored] of Object.entries((json.assets ?? {}) as StoredDocument['assets'])) {
     const blob = await bytesFor(stored.sha256);
-    if (!blob) throw new Error(`${fileName}: the bytes of ${stored.name} are no longer in this browser.`);
+    if (!blob)
+      throw new Error(
+        t('{fileName}: the bytes of {name} are no longer in this browser.', { fileName, name: stored.name }),
+      );
     blobs.set(id, { stored, blob });
     assets[id] = { name: stored.name, mediaType: stored.mediaType, data: await base64Of(blob) };
   }
@@ -112,7 +116,7 @@ export function base64Of(blob: Blob): Promise<string> {
       const url = String(reader.result);
       resolve(url.slice(url.indexOf(',') + 1));
     };
-    reader.onerror = () => reject(reader.error ?? new Error('The browser could not read the file.'));
+    reader.onerror = () => reject(reader.error ?? new Error(t('The browser could not read the file.')));
     reader.readAsDataURL(blob);
   });
 }

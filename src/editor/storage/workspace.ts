@@ -4,6 +4,7 @@
  */
 import type { Document } from '../../scene/schema.ts';
 import type { DocumentStore } from '../../scene/store.ts';
+import { language, t } from '../language/language.ts';
 import type { EditorStateStore } from '../state.ts';
 import { confirm } from '../ui/confirm.ts';
 import { toast, toastError } from '../ui/toast.ts';
@@ -107,7 +108,7 @@ export class Workspace {
       this.#store.open(document);
       this.#autosave.opened(document, null, address);
     } catch (error) {
-      toastError('The scene could not be opened', error);
+      toastError(t('The scene could not be opened'), error);
       this.#autosave.opened(this.#store.document, null, '');
     }
     this.#remember();
@@ -130,14 +131,19 @@ export class Workspace {
       const discard = async () => {
         await this.delete(kept, () => this.#openAddressed(address, addressed));
       };
-      toast('info', `Recovered “${kept.name}”`, `As it was ${timeText(kept.modified)}.`, {
-        label: 'Discard',
-        run: () => void discard(),
-      });
+      toast(
+        'info',
+        t('Recovered “{name}”', { name: kept.name }),
+        t('As it was {time}.', { time: timeText(kept.modified) }),
+        {
+          label: t('Discard'),
+          run: () => void discard(),
+        },
+      );
       return true;
     } catch (error) {
       this.#letGo();
-      toastError('The last document could not be recovered', error);
+      toastError(t('The last document could not be recovered'), error);
       return false;
     }
   }
@@ -145,10 +151,15 @@ export class Workspace {
   async #offerEarlierWork(address: string): Promise<void> {
     const earlier = (await this.#storage?.list().catch(() => []))?.find((kept) => kept.address === address);
     if (!earlier) return;
-    toast('info', `You have changed this scene before`, `“${earlier.name}”, ${timeText(earlier.modified)}.`, {
-      label: 'Open that',
-      run: () => void this.openKept(earlier),
-    });
+    toast(
+      'info',
+      t('You have changed this scene before'),
+      `“${earlier.name}”, ${timeText(earlier.modified)}.`,
+      {
+        label: t('Open that'),
+        run: () => void this.openKept(earlier),
+      },
+    );
   }
 
   async #openStored(storage: KeptDocuments, kept: KeptDocument): Promise<void> {
@@ -184,8 +195,16 @@ export class Workspace {
       const release = await hold(kept.id);
       if (!release) {
         const document = await storage.load(kept);
-        const opened = await this.replace({ ...document, name: `${document.name.slice(0, 195)} copy` }, null);
-        if (opened) toast('info', `“${kept.name}” is open in another tab`, 'This is a copy of it.');
+        const opened = await this.replace(
+          { ...document, name: t('{name} copy', { name: document.name.slice(0, 195) }) },
+          null,
+        );
+        if (opened)
+          toast(
+            'info',
+            t('“{name}” is open in another tab', { name: kept.name }),
+            t('This is a copy of it.'),
+          );
         return opened;
       }
       const leave = await this.#leave();
@@ -200,7 +219,7 @@ export class Workspace {
       leave();
       return true;
     } catch (error) {
-      toastError(`“${kept.name}” could not be opened`, error);
+      toastError(t('“{name}” could not be opened', { name: kept.name }), error);
       return false;
     }
   }
@@ -215,7 +234,10 @@ export class Workspace {
   async restore(version: Version): Promise<void> {
     if (!this.#storage) return;
     const document = await this.#storage.loadVersion(version);
-    const label = `Restore ${version.name ?? `the version of ${timeText(version.time)}`}`;
+    const label =
+      version.name === null
+        ? t('Restore the version of {time}', { time: timeText(version.time) })
+        : t('Restore {name}', { name: version.name });
     this.#store.edit(label, (draft) => {
       Object.assign(draft, document);
     });
@@ -239,8 +261,8 @@ export class Workspace {
       if (open && again) await this.openKept(again);
       for (const listener of [...this.#listeners]) listener(this.keepState);
     };
-    toast('info', `Deleted “${kept.name}”`, undefined, {
-      label: 'Undo',
+    toast('info', t('Deleted “{name}”', { name: kept.name }), undefined, {
+      label: t('Undo'),
       run: () => void undo(),
       onGone: () => void storage.purge(kept.id).catch(() => {}),
     });
@@ -259,17 +281,17 @@ export class Workspace {
     const { kept } = this;
     if (this.#unsaved.value && this.keepState.kind !== 'kept') {
       const sure = await confirm(
-        `Leave “${this.#store.document.name}”?`,
-        'It has changes that are not saved. Save first if you want to keep them.',
-        'Discard changes',
+        t('Leave “{name}”?', { name: this.#store.document.name }),
+        t('It has changes that are not saved. Save first if you want to keep them.'),
+        t('Discard changes'),
       );
       if (!sure) return null;
     }
     this.#letGo();
     if (!kept) return () => {};
     return () =>
-      toast('info', `“${kept.name}” is kept`, 'It is under File, Documents.', {
-        label: 'Back to it',
+      toast('info', t('“{name}” is kept', { name: kept.name }), t('It is under File, Documents.'), {
+        label: t('Back to it'),
         run: () => void this.openKept(kept),
       });
   }
@@ -302,14 +324,17 @@ export class Workspace {
     }
     if (keepState.kind !== 'failed' || this.#warned) return;
     this.#warned = true;
-    toast('error', 'This document is not being kept', explainFailure(keepState.error));
+    toast('error', t('This document is not being kept'), explainFailure(keepState.error));
   }
 }
 
 /** `at 10:32`, or `on 12 May, 10:32`. */
 export function timeText(time: number): string {
   const date = new Date(time);
-  const clock = date.toLocaleTimeString([], { hour: '2-digit', minute: '2-digit' });
-  if (date.toDateString() === new Date().toDateString()) return `at ${clock}`;
-  return `on ${date.toLocaleDateString([], { day: 'numeric', month: 'short' })}, ${clock}`;
+  const clock = date.toLocaleTimeString(language, { hour: '2-digit', minute: '2-digit' });
+  if (date.toDateString() === new Date().toDateString()) return t('at {clock}', { clock });
+  return t('on {date}, {clock}', {
+    date: date.toLocaleDateString(language, { day: 'numeric', month: 'short' }),
+    clock,
+  });
 }

@@ -2,6 +2,8 @@
  * A colour: a swatch that opens the picker, and its sRGB hex code. Plain DOM because the toolkit's
  * picker rounds to 8 bits, which would change a linear colour by being looked at.
  */
+
+import { t } from '../language/language.ts';
 import { cssColor, fromHex, type Rgb, toHex } from './color.ts';
 import { openColorPopup } from './color-popup.ts';
 import { h } from './dom.ts';
@@ -25,12 +27,12 @@ export function colorField(options: ColorFieldOptions): ColorField {
   const swatch = h('button', {
     type: 'button',
     class: 'swatch',
-    'aria-label': `${options.label}: open the colour picker`,
+    'aria-label': t('{label}: open the colour picker', { label: options.label }),
   });
   const hex = h('input', {
     type: 'text',
     class: 'hex',
-    'aria-label': `${options.label}, sRGB hex`,
+    'aria-label': t('{label}, sRGB hex', { label: options.label }),
     autocomplete: 'off',
     spellcheck: 'false',
     maxlength: 7,

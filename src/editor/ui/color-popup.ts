@@ -1,4 +1,6 @@
 /** The colour picker: saturation and value square, hue strip, and the three linear numbers. */
+
+import { t } from '../language/language.ts';
 import { fromHsv, type Rgb, toHsv, toLinear, toSrgb } from './color.ts';
 import { h } from './dom.ts';
 import { type Gesture, newGesture } from './gesture.ts';
@@ -24,18 +26,22 @@ export function openColorPopup(options: ColorPopupOptions): { show(linear: Rgb):
   const squareHandle = h('div', { class: 'handle' });
   const square = h(
     'div',
-    { class: 'color-square', role: 'slider', 'aria-label': `${options.label}: saturation and value` },
+    {
+      class: 'color-square',
+      role: 'slider',
+      'aria-label': t('{label}: saturation and value', { label: options.label }),
+    },
     squareHandle,
   );
   const hueHandle = h('div', { class: 'handle' });
   const hue = h(
     'div',
-    { class: 'color-hue', role: 'slider', 'aria-label': `${options.label}: hue` },
+    { class: 'color-hue', role: 'slider', 'aria-label': t('{label}: hue', { label: options.label }) },
     hueHandle,
   );
   const numbers = CHANNELS.map((channel, i) =>
     numberField({
-      label: `${options.label}, linear ${channel}`,
+      label: t('{label}, linear {channel}', { label: options.label, channel }),
       min: 0,
       max: options.max,
       step: 0.01,
@@ -104,7 +110,7 @@ export function openColorPopup(options: ColorPopupOptions): { show(linear: Rgb):
       { class: 'color-numbers' },
       ...numbers.map((field, i) => h('label', {}, h('span', {}, CHANNELS[i] ?? ''), field.element)),
     ),
-    h('p', { class: 'hint' }, 'Linear Rec. 709, as the BRDF sees it'),
+    h('p', { class: 'hint' }, t('Linear Rec. 709, as the BRDF sees it')),
   );
   openPopup({ anchor: options.anchor, content, label: options.label, onClose: options.onClose });
   paint();

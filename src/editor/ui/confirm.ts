@@ -1,10 +1,12 @@
 /** A question that has to be answered before something is lost. */
+
+import { t } from '../language/language.ts';
 import { h } from './dom.ts';
 
 export function confirm(question: string, detail: string, yes: string): Promise<boolean> {
   return new Promise((resolve) => {
     const accept = h('button', { type: 'submit', class: 'text-button primary', value: 'yes' }, yes);
-    const cancel = h('button', { type: 'submit', class: 'text-button', value: 'no' }, 'Cancel');
+    const cancel = h('button', { type: 'submit', class: 'text-button', value: 'no' }, t('Cancel'));
     const form = h(
       'form',
       { method: 'dialog' },

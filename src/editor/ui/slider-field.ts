@@ -3,6 +3,8 @@
  * the number takes any value (Burley's principle 4: allow a parameter beyond its range where it
  * makes sense), and the slider then stands at its end.
  */
+
+import { t } from '../language/language.ts';
 import { h } from './dom.ts';
 import { roundTo } from './expression.ts';
 import { type Gesture, newGesture } from './gesture.ts';
@@ -49,7 +51,7 @@ export function sliderField(options: SliderFieldOptions): SliderField {
   let gesture: Gesture;
   const range = h('input', { type: 'range', min: 0, max: TICKS, step: 1, 'aria-label': options.label });
   const number = numberField({
-    label: `${options.label}, number`,
+    label: t('{label}, number', { label: options.label }),
     min: options.hardMin,
     max: options.hardMax,
     unit: options.unit,

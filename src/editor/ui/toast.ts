@@ -1,4 +1,6 @@
 /** Messages that say what happened and what to do, and progress of what takes time. */
+
+import { t, translate } from '../language/language.ts';
 import { h } from './dom.ts';
 import { icon } from './icons.ts';
 
@@ -47,7 +49,7 @@ export function toast(kind: ToastKind, title: string, detail?: string, action?: 
   same?.remove();
   const close = h(
     'button',
-    { type: 'button', class: 'icon-button', 'aria-label': 'Close this message' },
+    { type: 'button', class: 'icon-button', 'aria-label': t('Close this message') },
     icon('close'),
   );
   const element = h(
@@ -97,14 +99,14 @@ export function toastError(title: string, error: unknown): void {
 }
 
 export function messageOf(error: unknown): string {
-  return error instanceof Error ? error.message : String(error);
+  return translate(error instanceof Error ? error.message : String(error));
 }
 
 /** @param onCancel offers to give it up */
 export function startProgress(text: string, onCancel?: () => void): Progress {
   const label = h('strong', {}, text);
   const bar = h('div', { class: 'bar' }, h('div', { class: 'bar-fill' }));
-  const cancel = onCancel && h('button', { type: 'button', class: 'text-button' }, 'Cancel');
+  const cancel = onCancel && h('button', { type: 'button', class: 'text-button' }, t('Cancel'));
   if (cancel) cancel.addEventListener('click', () => onCancel());
   const element = h(
     'div',

@@ -19,7 +19,7 @@ export function stepShown({ store }: Session, step: 1 | -1): void {
 }
 
 function show(store: Session['store'], value: Show): void {
-  tryEdit(store, t('Show {value}', { value: choiceLabel(value).toLowerCase() }), (draft) => {
+  tryEdit(store, t('Show {label}', { label: choiceLabel(value).toLowerCase() }), (draft) => {
     draft.view.show = value;
   });
 }
@@ -134,17 +134,23 @@ function legendOf(document: Document, exposure: number): HTMLElement[] {
 
 function zoneRow(color: readonly [number, number, number], zone: number, exposure: number): HTMLElement {
   const least = zoneBound(zone, exposure);
-  const stops = zone > 0 ? `+${zone}` : zone < 0 ? `−${-zone}` : 'middle grey';
+  const stops = zone > 0 ? `+${zone}` : zone < 0 ? `−${-zone}` : t('middle grey');
   if (zone === -ZONES_EACH_SIDE)
     return row(css(color), t('below {value}', { value: nits(zoneBound(zone + 1, exposure)) }), stops);
-  return row(css(color), `${zone === ZONES_EACH_SIDE ? 'above ' : ''}${nits(least)}`, stops);
+  return row(
+    css(color),
+    zone === ZONES_EACH_SIDE ? t('above {value}', { value: nits(least) }) : nits(least),
+    stops,
+  );
 }
 
 function counts(title: string): HTMLElement[] {
   const last = COUNT_COLORS.length - 1;
   return [
     h('div', { class: 'show-title' }, title),
-    ...COUNT_COLORS.map((color, i) => row(css(color), i === last ? t('{i} and more', { i }) : String(i))),
+    ...COUNT_COLORS.map((color, i) =>
+      row(css(color), i === last ? t('{count} and more', { count: i }) : String(i)),
+    ),
   ];
 }
 

@@ -2,6 +2,7 @@
 import * as THREE from 'three/webgpu';
 import type { GltfSource, TextureImage } from '../../../scene/assets.ts';
 import type { Asset } from '../../../scene/schema.ts';
+import { t, translate } from '../../language/language.ts';
 import type { FromImporter, GeometryData, ImportResult, ToImporter } from './messages.ts';
 
 /** An import was given up by the person: nothing to report. */
@@ -28,7 +29,7 @@ export function startJob(
     };
     cancel = () => end(new ImportCancelled());
     worker.addEventListener('message', ({ data }: MessageEvent<FromImporter>) => {
-      if (data.kind === 'progress') onProgress(data.text, data.fraction);
+      if (data.kind === 'progress') onProgress(translate(data.text), data.fraction);
       else if (data.kind === 'failed') end(new Error(data.message));
       else if (data.kind === 'done') {
         const { result } = data;
@@ -42,7 +43,9 @@ export function startJob(
     });
     worker.addEventListener('error', (event) =>
       end(
-        new Error(event.message || 'The thread that reads files could not be started, or ran out of memory.'),
+        new Error(
+          event.message || t('The thread that reads files could not be started, or ran out of memory.'),
+        ),
       ),
     );
   });

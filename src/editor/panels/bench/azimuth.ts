@@ -1,6 +1,7 @@
 /** The slice over the azimuth as one sees it from above: the tangent to the right, the normal towards the reader. */
 import { channelOf } from '../../../analysis/plots/channel.ts';
 import { type Rgb, radians } from '../../../analysis/plots/curve.ts';
+import { t } from '../../language/language.ts';
 import {
   colors,
   curveTable,
@@ -63,7 +64,7 @@ function drawAzimuth(painter: Painter, plot: Plot): void {
   painter.line(ring(1), { color: colors.grid });
   for (const { at: part } of scale.ticks) if (part > 0) painter.line(ring(part), { color: colors.grid });
   painter.text(quantityOf(settings), [14, 14], { color: colors.text });
-  painter.text(`over ${symbol(plot)}`, [14, 30], { color: colors.faint });
+  painter.text(t('over {symbol}', { symbol: symbol(plot) }), [14, 30], { color: colors.faint });
   if (settings.turns === 'light') {
     painter.disc(at(settings.phiV, 1), 4, colors.guide);
     painter.text('v', at(settings.phiV + 6, 1 - 10 / disc.radius), { color: colors.guide, align: 'center' });

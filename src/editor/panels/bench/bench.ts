@@ -8,6 +8,7 @@ import type { WorstCase } from '../../../analysis/verdict/types.ts';
 import type { RealtimeRenderer } from '../../../realtime/renderer.ts';
 import { attempt, toggleBenchPage } from '../../commands.ts';
 import { download, fileNameOf } from '../../io/files.ts';
+import { t } from '../../language/language.ts';
 import { selectedMaterial } from '../../selected-material.ts';
 import type { Session } from '../../session.ts';
 import { h } from '../../ui/dom.ts';
@@ -53,7 +54,7 @@ export function createBench(session: Session, { geometryOf, viewport, renderer }
 
   const putCase = (worst: WorstCase, label?: string) => {
     const id = selectedMaterial(store.document, state.value.selection);
-    if (id !== undefined) attempt('The case cannot be shown', () => putWorstCase(store, id, worst, label));
+    if (id !== undefined) attempt(t('The case cannot be shown'), () => putWorstCase(store, id, worst, label));
   };
   const verdict = createVerdictPanel({
     renderer,
@@ -65,7 +66,7 @@ export function createBench(session: Session, { geometryOf, viewport, renderer }
       change({ ...worstSettings(worst), panes });
     },
     showCell(cell) {
-      putCase(cell, 'Parameters from the map');
+      putCase(cell, t('Parameters from the map'));
       change(worstSettings(cell));
     },
   });
@@ -102,7 +103,7 @@ export function createBench(session: Session, { geometryOf, viewport, renderer }
   const progress = h('progress', {
     class: 'bench-progress',
     max: 1,
-    'aria-label': 'Computing the plot',
+    'aria-label': t('Computing the plot'),
     hidden: true,
   });
   const page = h(
@@ -110,15 +111,15 @@ export function createBench(session: Session, { geometryOf, viewport, renderer }
     {
       type: 'button',
       class: 'icon-button',
-      'aria-label': 'Fill the page with the bench',
-      tip: 'Fill the page, six views at once (Shift+B)',
+      'aria-label': t('Fill the page with the bench'),
+      tip: t('Fill the page, six views at once (Shift+B)'),
     },
     icon('expand'),
   );
   page.addEventListener('click', () => toggleBenchPage(state));
   const close = h(
     'button',
-    { type: 'button', class: 'icon-button', 'aria-label': 'Close the bench', tip: 'Close (B)' },
+    { type: 'button', class: 'icon-button', 'aria-label': t('Close the bench'), tip: t('Close (B)') },
     icon('close'),
   );
   close.addEventListener('click', () => state.set({ benchOpen: false, benchPage: false }));
@@ -159,13 +160,13 @@ export function createBench(session: Session, { geometryOf, viewport, renderer }
       else if (extension === 'png') download(name, await exportPng(plot, width, height));
       else download(name, exportCsv(plot));
     } catch (error) {
-      toastError('The plot was not saved', error);
+      toastError(t('The plot was not saved'), error);
     }
   };
 
   const element: HTMLElement = h(
     'section',
-    { class: 'bench', 'aria-label': 'BRDF bench' },
+    { class: 'bench', 'aria-label': t('BRDF bench') },
     createSash(
       () => element.offsetHeight,
       (benchHeight) => state.set({ benchHeight }),
@@ -176,13 +177,13 @@ export function createBench(session: Session, { geometryOf, viewport, renderer }
       tabs.element,
       progress,
       h('span', { class: 'spacer' }),
-      menuButton('Export', () => [
+      menuButton(t('Export'), () => [
         { label: 'SVG', icon: 'image', disabled: cannotExport(), run: () => void save('svg') },
         { label: 'PNG', icon: 'image', disabled: cannotExport(), run: () => void save('png') },
         {
           label: 'CSV',
           icon: 'file',
-          tip: 'The numbers, in full precision',
+          tip: t('The numbers, in full precision'),
           disabled: cannotExport(),
           run: () => void save('csv'),
         },

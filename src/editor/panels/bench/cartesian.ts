@@ -2,6 +2,7 @@
 import { sweepAngles } from '../../../analysis/plots/albedo-sweep.ts';
 import { channelOf } from '../../../analysis/plots/channel.ts';
 import type { Curve } from '../../../analysis/plots/curve.ts';
+import { t } from '../../language/language.ts';
 import {
   colors,
   curveTable,
@@ -225,7 +226,7 @@ function drawCartesian(painter: Painter, plot: Plot): void {
   if (settings.view === 'thetaL') {
     painter.text(still, [x(-settings.thetaV) + 5, area.y + 7], { color: handleColor(still) });
     if (settings.thetaV > 0)
-      painter.text('mirror', [x(settings.thetaV) + 5, area.y + 7], { color: colors.faint });
+      painter.text(t('mirror'), [x(settings.thetaV) + 5, area.y + 7], { color: colors.faint });
     const light = lightInPlane(settings);
     if (light !== null) {
       painter.disc([x(light), bottom], 4, handleColor(moving));
@@ -261,10 +262,14 @@ function drawFresnelKey(painter: Painter, area: Area, { curves, settings }: Plot
   const most = apart.reduce((a, b) => (Math.abs(b.error) > Math.abs(a.error) ? b : a));
   const sign = most.error < 0 ? '−' : '+';
   const figure = `${sign}${shortNumber(Number(Math.abs(most.error).toPrecision(2)))}`;
-  painter.text('Schlick is off by up to', [area.x + 12, top + 34], { color: colors.text });
-  painter.text(`${figure} in ${channel}, at ${degrees(most.angle)}`, [area.x + 12, top + 49], {
-    color: colors.text,
-  });
+  painter.text(t('Schlick is off by up to'), [area.x + 12, top + 34], { color: colors.text });
+  painter.text(
+    t('{figure} in {channel}, at {value}', { figure, channel, value: degrees(most.angle) }),
+    [area.x + 12, top + 49],
+    {
+      color: colors.text,
+    },
+  );
 }
 
 /** Which dashes mean which angle of the viewer. */

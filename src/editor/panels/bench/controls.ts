@@ -1,6 +1,7 @@
 /** The bench's settings beside the plots; those that no view in sight has are hidden. */
 import { turning } from '../../../analysis/plots/azimuth-slice.ts';
 import { substances } from '../../../analysis/substances/table.ts';
+import { t } from '../../language/language.ts';
 import { h } from '../../ui/dom.ts';
 import { type Choice, row, selectField, switchField } from '../../ui/fields.ts';
 import { sliderField } from '../../ui/slider-field.ts';
@@ -35,27 +36,27 @@ export function createControls({ change, placeLight }: ControlActions): Controls
   const angle = (key: NumberKey, label: string, tip: string, max: number) =>
     slider(change, key, { label, tip, min: 0, max, hardMin: 0, hardMax: max, unit: '°' });
   const term = select({
-    name: 'Term in the plots',
-    label: 'Term',
-    tip: 'One function of the model alone',
+    name: t('Term in the plots'),
+    label: t('Term'),
+    tip: t('One function of the model alone'),
     shown: (settings) => settings.term,
     onChange: (value) => change({ term: value }),
   });
   const parameter = select({
-    name: 'Parameter of the plot',
-    label: 'Parameter',
-    tip: 'What grows to the right',
+    name: t('Parameter of the plot'),
+    label: t('Parameter'),
+    tip: t('What grows to the right'),
     shown: (settings) => settings.parameter,
     onChange: (value) => change({ parameter: value }),
   });
   const substance = select({
-    name: 'Substance in the plot',
-    label: 'Substance',
-    tip: 'Its n and k are published measurements',
+    name: t('Substance in the plot'),
+    label: t('Substance'),
+    tip: t('Its n and k are published measurements'),
     choices: [...substances.values()].map(({ name, title, kind }) => ({
       value: name,
       label: title,
-      group: kind === 'conductor' ? 'Conductors' : 'Dielectrics',
+      group: kind === 'conductor' ? t('Conductors') : t('Dielectrics'),
     })),
     shown: (settings) => settings.substance,
     onChange: (value) => change({ substance: value }),
@@ -73,9 +74,9 @@ export function createControls({ change, placeLight }: ControlActions): Controls
       },
     });
   const over = select({
-    name: 'What moves',
-    label: 'Over',
-    tip: 'What moves through the plane of incidence; the other one stands still',
+    name: t('What moves'),
+    label: t('Over'),
+    tip: t('What moves through the plane of incidence; the other one stands still'),
     choices: moving.map((value) => ({ value, label: capital(value) })),
     shown: (settings) => settings.over,
     onChange(value) {
@@ -84,10 +85,10 @@ export function createControls({ change, placeLight }: ControlActions): Controls
     },
   });
   const turns = select({
-    name: 'What turns',
-    label: 'Turns',
-    tip: 'What goes round the normal',
-    choices: turning.map((value) => ({ value, label: value === 'half' ? 'Half vector' : 'Light' })),
+    name: t('What turns'),
+    label: t('Turns'),
+    tip: t('What goes round the normal'),
+    choices: turning.map((value) => ({ value, label: value === 'half' ? t('Half vector') : t('Light') })),
     shown: (settings) => settings.turns,
     onChange(value) {
       const found = turning.find((choice) => choice === value);
@@ -98,42 +99,42 @@ export function createControls({ change, placeLight }: ControlActions): Controls
   const controls: Readonly<Record<ControlKey, Control>> = {
     over,
     turns,
-    thetaV: angle('thetaV', 'θv', 'Angle between the normal and the viewer; drag v in the plot', 89),
-    phiV: angle('phiV', 'φ', 'Azimuth from the tangent: of the viewer, or of the half vector', 360),
-    thetaL: angle('thetaL', 'θl', 'Angle between the normal and the light; drag l in the plot', 89),
-    phiL: angle('phiL', 'φl', 'Azimuth of the light from the tangent', 360),
+    thetaV: angle('thetaV', 'θv', t('Angle between the normal and the viewer; drag v in the plot'), 89),
+    phiV: angle('phiV', 'φ', t('Azimuth from the tangent: of the viewer, or of the half vector'), 360),
+    thetaL: angle('thetaL', 'θl', t('Angle between the normal and the light; drag l in the plot'), 89),
+    phiL: angle('phiL', 'φl', t('Azimuth of the light from the tangent'), 360),
     light: lightControl(change, placeLight),
-    thetaD: angle('thetaD', 'θd', 'Half the angle between light and viewer', 89),
-    thetaH: angle('thetaH', 'θh', 'Angle between the normal and the half vector', 89),
+    thetaD: angle('thetaD', 'θd', t('Half the angle between light and viewer'), 89),
+    thetaH: angle('thetaH', 'θh', t('Angle between the normal and the half vector'), 89),
     parameter,
     substance,
     term,
-    channel: channelChoice('channel', 'Channel', 'Of curves and lobes'),
-    tint: channelChoice('tint', 'Picture', 'What pictures show'),
-    log: toggle(change, 'log', 'Log', 'Logarithmic values'),
-    cosine: toggle(change, 'cosine', 'Times n·l', 'Multiply by the cosine at the light'),
+    channel: channelChoice('channel', t('Channel'), t('Of curves and lobes')),
+    tint: channelChoice('tint', t('Picture'), t('What pictures show')),
+    log: toggle(change, 'log', t('Log'), t('Logarithmic values')),
+    cosine: toggle(change, 'cosine', t('Times n·l'), t('Multiply by the cosine at the light')),
     range: slider(change, 'range', {
-      label: 'Range',
-      tip: 'Where the axis of values ends; 0 finds it',
+      label: t('Range'),
+      tip: t('Where the axis of values ends; 0 finds it'),
       min: 0.1,
       max: 1000,
       hardMin: 0,
       scale: 'log',
     }),
     brightness: slider(change, 'brightness', {
-      label: 'Brightness',
-      tip: 'Of pictures, in stops',
+      label: t('Brightness'),
+      tip: t('Of pictures, in stops'),
       min: -6,
       max: 6,
       unit: 'EV',
     }),
-    chroma: toggle(change, 'chroma', 'Chroma', 'The colour alone, as bright as can be'),
-    squareRoot: toggle(change, 'squareRoot', '√θh', 'More room for the highlight, which is at small θh'),
+    chroma: toggle(change, 'chroma', t('Chroma'), t('The colour alone, as bright as can be')),
+    squareRoot: toggle(change, 'squareRoot', '√θh', t('More room for the highlight, which is at small θh')),
     doubleTheta: toggle(
       change,
       'doubleTheta',
-      'Double θl',
-      'Look down the normal with the light at twice θl: the highlight is then at θl',
+      t('Double θl'),
+      t('Look down the normal with the light at twice θl: the highlight is then at θl'),
     ),
   };
   const entries = Object.entries(controls) as [ControlKey, Control][];
@@ -141,7 +142,7 @@ export function createControls({ change, placeLight }: ControlActions): Controls
     element: h('div', { class: 'bench-controls' }, ...entries.map(([, control]) => control.element)),
     show(settings, views, terms, parameters) {
       const wanted = new Set(views.flatMap((view) => viewInfo[view].controls));
-      term.setChoices(terms.map((value) => ({ value, label: value === 'BRDF' ? 'Whole model' : value })));
+      term.setChoices(terms.map((value) => ({ value, label: value === 'BRDF' ? t('Whole model') : value })));
       parameter.setChoices(parameters.map((value) => ({ value, label: value })));
       for (const [key, { element, show }] of entries) {
         element.hidden = !wanted.has(key);
@@ -167,7 +168,10 @@ type Change = ControlActions['change'];
 function slider(change: Change, key: NumberKey, { tip, ...options }: SliderSettings): Control {
   const field = sliderField({ ...options, onChange: (value) => change({ [key]: value }) });
   const onReset = () => change({ [key]: initialSettings[key] });
-  const element = row({ label: options.label, tip: `${tip}\nDouble click: default`, onReset }, field.element);
+  const element = row(
+    { label: options.label, tip: `${tip}\n${t('Double click: default')}`, onReset },
+    field.element,
+  );
   element.dataset.bench = key;
   return { element, show: (settings) => field.show(settings[key]) };
 }
@@ -180,22 +184,24 @@ function toggle(change: Change, key: BoolKey, label: string, tip: string): Contr
 }
 
 function lightControl(change: Change, placeLight: () => void): Control {
-  const label = 'Light';
+  const label = t('Light');
   const field = switchField(label, (lightInStep) => change({ lightInStep }));
   const place = h(
     'button',
     {
       type: 'button',
       class: 'text-button',
-      tip: "Put the scene's first directional light where l is over a horizontal surface",
+      tip: t("Put the scene's first directional light where l is over a horizontal surface"),
     },
-    'Place',
+    t('Place'),
   );
   place.addEventListener('click', placeLight);
   const element = row(
     {
       label,
-      tip: 'Keep l and the first directional light of the scene in step; Alt and a drag over the viewport turn both',
+      tip: t(
+        'Keep l and the first directional light of the scene in step; Alt and a drag over the viewport turn both',
+      ),
     },
     h('div', { class: 'bench-light' }, field.element, place),
   );

@@ -1,6 +1,7 @@
 /** A view as a file: SVG and PNG from the same drawing, CSV from the numbers. */
 import { channelOf } from '../../../analysis/plots/channel.ts';
 import type { Rgb } from '../../../analysis/plots/curve.ts';
+import { t } from '../../language/language.ts';
 import { canvasPainter } from './canvas-painter.ts';
 import { colors, dashOf, type Plot } from './frame.ts';
 import type { Painter } from './painter.ts';
@@ -22,7 +23,7 @@ export async function exportPng(plot: Plot, width: number, height: number): Prom
   const canvas = document.createElement('canvas');
   drawWithLegend(canvasPainter(canvas, width, height + legendHeight(plot), PNG_SCALE), plot, height);
   const blob = await new Promise<Blob | null>((resolve) => canvas.toBlob(resolve));
-  if (!blob) throw new Error('the browser could not encode the plot as PNG');
+  if (!blob) throw new Error(t('the browser could not encode the plot as PNG'));
   return blob;
 }
 

@@ -4,6 +4,7 @@ import { type Channel, channelOf } from '../../../analysis/plots/channel.ts';
 import type { Curve, CurvePoint, Reflectance, Rgb } from '../../../analysis/plots/curve.ts';
 import type { Lobe } from '../../../analysis/plots/lobe.ts';
 import type { Picture } from '../../../analysis/plots/picture.ts';
+import { t } from '../../language/language.ts';
 import type { Painter, Point, Stroke } from './painter.ts';
 import { type BenchView, type PaneSettings, STEEPEST } from './settings.ts';
 
@@ -112,8 +113,9 @@ export function valuesOf({ curves, settings }: Plot): number[] {
 const ALBEDOS: readonly BenchView[] = ['albedo', 'sweep'];
 
 export function quantityOf({ view, term, cosine }: PaneSettings): string {
-  if (ALBEDOS.includes(view)) return term === 'BRDF' ? 'directional albedo' : `directional albedo of ${term}`;
-  if (view === 'fresnel') return 'reflectance';
+  if (ALBEDOS.includes(view))
+    return term === 'BRDF' ? t('directional albedo') : t('directional albedo of {term}', { term });
+  if (view === 'fresnel') return t('reflectance');
   const name = term === 'BRDF' ? 'f' : term;
   return cosine ? `${name} · n·l` : `${name} (1/sr)`;
 }

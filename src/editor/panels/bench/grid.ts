@@ -1,4 +1,6 @@
 /** The panes of the bench: one in the dock, six on the full page, each with a view of its own choice. */
+
+import { t } from '../../language/language.ts';
 import { h } from '../../ui/dom.ts';
 import { selectField } from '../../ui/fields.ts';
 import { createPane, type PaneActions, type PlotPane } from './pane.ts';
@@ -23,7 +25,7 @@ const choices = views.map((view) => ({ value: view, label: viewInfo[view].label 
 export function createGrid(actions: GridActions): Grid {
   const cells = initialSettings.panes.map((_, index) => {
     const pane = createPane(actions);
-    const choice = selectField(`View ${index + 1}`, choices, (value) => {
+    const choice = selectField(t('View {number}', { number: index + 1 }), choices, (value) => {
       const view = views.find((candidate) => candidate === value);
       if (view) actions.choose(index, view);
     });

@@ -3,6 +3,7 @@ import { cellParameters, type HeatMap, MAPPED, worstCell } from '../../../analys
 import { FIGURES, heatColor } from '../../../analysis/verdict/heat-map-picture.ts';
 import type { WorstCase } from '../../../analysis/verdict/types.ts';
 import type { FloatParameter } from '../../../brdf/model.ts';
+import { t, translate } from '../../language/language.ts';
 import { h } from '../../ui/dom.ts';
 import { selectField } from '../../ui/fields.ts';
 import type { HeatMapAnswer, HeatMapJob } from './heat-map-job.ts';
@@ -31,8 +32,8 @@ export function createHeatMapPanel(showCell: (worst: WorstCase) => void): HeatMa
   let at: Cell | null = null;
 
   const law = selectField(
-    'Law of the map',
-    MAPPED.map((value) => ({ value, label: FIGURES[value] })),
+    t('Law of the map'),
+    MAPPED.map((value) => ({ value, label: translate(FIGURES[value]) })),
     (value) => change({ property: MAPPED.find((name) => name === value) ?? 'energy' }),
   );
   const axis = (label: string, put: (name: string) => readonly [string, string]) => {
@@ -43,17 +44,17 @@ export function createHeatMapPanel(showCell: (worst: WorstCase) => void): HeatMa
   /** Those that were asked for last, for the map of before may still be in sight. */
   const axes = () => asked?.axes ?? ([map?.x.name ?? '', map?.y.name ?? ''] as const);
   // Choosing what the other axis has swaps the two.
-  const across = axis('Parameter to the right', (name) => {
+  const across = axis(t('Parameter to the right'), (name) => {
     const [x, y] = axes();
     return [name, name === y ? x : y];
   });
-  const upwards = axis('Parameter upwards', (name) => {
+  const upwards = axis(t('Parameter upwards'), (name) => {
     const [x, y] = axes();
     return [name === x ? y : x, name];
   });
   const canvas = h('canvas', { class: 'heat-map-picture', tabindex: 0, role: 'img' });
   const reading = h('p', { class: 'heat-map-reading', role: 'status' });
-  const progress = h('progress', { class: 'bench-progress', max: 1, 'aria-label': 'Drawing the map' });
+  const progress = h('progress', { class: 'bench-progress', max: 1, 'aria-label': t('Drawing the map') });
   const ends = { left: h('span'), right: h('span'), bottom: h('span'), top: h('span') };
   const plane = h(
     'div',
@@ -64,8 +65,8 @@ export function createHeatMapPanel(showCell: (worst: WorstCase) => void): HeatMa
   );
   const element = h(
     'section',
-    { class: 'heat-map', 'aria-label': 'Map over two parameters', hidden: true },
-    h('div', { class: 'verdict-head' }, 'Map: ', law.element, progress),
+    { class: 'heat-map', 'aria-label': t('Map over two parameters'), hidden: true },
+    h('div', { class: 'verdict-head' }, `${t('Map:')} `, law.element, progress),
     plane,
     reading,
   );
@@ -130,7 +131,7 @@ export function createHeatMapPanel(showCell: (worst: WorstCase) => void): HeatMa
     context.strokeStyle = '#fff';
     context.lineWidth = 2;
     context.strokeRect(column * CELL + 1, (size - 1 - row) * CELL + 1, CELL - 2, CELL - 2);
-    reading.textContent = `${at ? '' : 'Worst: '}${words(map, at ?? worst)}`;
+    reading.textContent = at ? words(map, at) : t('Worst: {case}', { case: words(map, worst) });
     canvas.setAttribute('aria-label', reading.textContent);
   };
   const go = (next: Cell | null) => {
@@ -198,5 +199,9 @@ function words(map: HeatMap, cell: Cell): string {
   const set = cellParameters(map, cell.column, cell.row);
   const part = ({ name }: FloatParameter) => `${name} ${shortNumber(set[name] as number)}`;
   const { value } = cellAt(map, cell);
-  return `${FIGURES[map.property]} ${shortNumber(value)} at ${part(map.x)}, ${part(map.y)}`;
+  return t('{figure} {value} at {place}', {
+    figure: translate(FIGURES[map.property]),
+    value: shortNumber(value),
+    place: `${part(map.x)}, ${part(map.y)}`,
+  });
 }

@@ -1,6 +1,7 @@
 /** What is plotted: colour, name, the value under the pointer; pin, solo, remove. */
 import { channelOf } from '../../../analysis/plots/channel.ts';
 import type { Rgb } from '../../../analysis/plots/curve.ts';
+import { t } from '../../language/language.ts';
 import { h } from '../../ui/dom.ts';
 import { icon } from '../../ui/icons.ts';
 import { dashOf } from './frame.ts';
@@ -31,9 +32,9 @@ export function createLegend(actions: LegendActions): Legend {
     {
       type: 'button',
       class: 'text-button',
-      tip: 'Keep a copy of the model and its parameters to compare with',
+      tip: t('Keep a copy of the model and its parameters to compare with'),
     },
-    'Pin',
+    t('Pin'),
   );
   pin.addEventListener('click', () => actions.pin());
   const values = new Map<string, HTMLElement>();
@@ -47,9 +48,9 @@ export function createLegend(actions: LegendActions): Legend {
       {
         type: 'button',
         class: 'icon-button',
-        'aria-label': `Solo ${name}`,
+        'aria-label': t('Solo {name}', { name }),
         'aria-pressed': String(solo === id),
-        tip: 'Draw this one alone',
+        tip: t('Draw this one alone'),
       },
       icon(solo !== null && solo !== id ? 'eyeOff' : 'eye'),
     );
@@ -57,7 +58,7 @@ export function createLegend(actions: LegendActions): Legend {
     alone.addEventListener('click', () => actions.solo(id));
     const remove = h(
       'button',
-      { type: 'button', class: 'icon-button', 'aria-label': `Remove ${name}` },
+      { type: 'button', class: 'icon-button', 'aria-label': t('Remove {name}', { name }) },
       icon('close'),
     );
     remove.addEventListener('click', () => actions.remove(id));
@@ -77,7 +78,7 @@ export function createLegend(actions: LegendActions): Legend {
   return {
     element: h(
       'section',
-      { 'aria-label': 'Curves' },
+      { 'aria-label': t('Curves') },
       h('div', { class: 'bench-legend-head' }, where, pin),
       rows,
     ),

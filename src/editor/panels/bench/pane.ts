@@ -1,4 +1,6 @@
 /** One view on the page: draws when something changed, reads the pointer, lets its handles be dragged. */
+
+import { t } from '../../language/language.ts';
 import { h } from '../../ui/dom.ts';
 import { canvasPainter } from './canvas-painter.ts';
 import { colors, type Handle, type Plot, type Probe } from './frame.ts';
@@ -126,5 +128,7 @@ function partsOf({ settings, curves, parameter }: Plot): unknown[] {
 
 function labelOf({ settings }: Plot): string {
   const { label, view } = viewInfo[settings.view];
-  return `Plot of the BRDF: ${label}.${view?.keys ? ' Arrow keys turn it.' : ''}`;
+  return view?.keys
+    ? t('Plot of the BRDF: {label}. Arrow keys turn it.', { label })
+    : t('Plot of the BRDF: {label}.', { label });
 }

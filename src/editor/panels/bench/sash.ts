@@ -1,4 +1,6 @@
 /** The upper edge of the dock: drag it, or move it with the arrow keys. */
+
+import { t } from '../../language/language.ts';
 import { h } from '../../ui/dom.ts';
 
 const LEAST = 180;
@@ -16,7 +18,7 @@ export function createSash(height: () => number, change: (height: number) => voi
     role: 'separator',
     tabindex: 0,
     'aria-orientation': 'horizontal',
-    'aria-label': 'Height of the bench',
+    'aria-label': t('Height of the bench'),
   });
   sash.addEventListener('pointerdown', (event) => {
     sash.setPointerCapture(event.pointerId);

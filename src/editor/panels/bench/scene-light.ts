@@ -7,6 +7,7 @@ import { direction, type Vec3 } from '../../../analysis/vector.ts';
 import { addLight } from '../../../scene/commands.ts';
 import type { Document, Light } from '../../../scene/schema.ts';
 import type { DocumentStore } from '../../../scene/store.ts';
+import { t } from '../../language/language.ts';
 import { tenths, wrapped } from './frame.ts';
 import { type BenchSettings, STEEPEST } from './settings.ts';
 
@@ -50,7 +51,7 @@ export function placeSceneLight(store: DocumentStore, { thetaL, phiL }: Angles, 
   const [id, { name, position, target }] = found;
   const distance = Math.hypot(...position.map((value, i) => value - (target[i] as number))) || DISTANCE;
   store.edit(
-    `Turn ${name}`,
+    t('Turn {name}', { name }),
     (draft) => {
       const light = draft.lights[id];
       if (light?.type === 'directional')

@@ -1,6 +1,7 @@
 /** The Fresnel reflectance of a real substance as curves of the bench: exact, and Schlick's from the same F0. */
 import { fresnelCurves } from '../../../analysis/plots/fresnel.ts';
 import { substances } from '../../../analysis/substances/table.ts';
+import { t, translate } from '../../language/language.ts';
 import { between } from './between.ts';
 import type { PlottedCurve } from './frame.ts';
 
@@ -18,8 +19,18 @@ export function substanceCurves(name: string): readonly PlottedCurve[] {
   if (kept) return kept;
   const { exact, schlick } = fresnelCurves(substance);
   const curves = [
-    { id: 'exact', name: `${substance.title}, exact`, color: EXACT, points: exact },
-    { id: 'schlick', name: `${substance.title}, Schlick`, color: SCHLICK, points: schlick },
+    {
+      id: 'exact',
+      name: t('{title}, exact', { title: translate(substance.title) }),
+      color: EXACT,
+      points: exact,
+    },
+    {
+      id: 'schlick',
+      name: t('{title}, Schlick', { title: translate(substance.title) }),
+      color: SCHLICK,
+      points: schlick,
+    },
   ].map(
     (curve, index): PlottedCurve => ({
       ...curve,

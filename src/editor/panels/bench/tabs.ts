@@ -1,4 +1,6 @@
 /** The views of the bench: one tab stop, arrow keys between them (WAI-ARIA tabs). */
+
+import { t } from '../../language/language.ts';
 import { h } from '../../ui/dom.ts';
 import { type BenchView, views } from './settings.ts';
 import { viewInfo } from './views.ts';
@@ -18,7 +20,7 @@ export function createTabs(change: (view: BenchView) => void): Tabs {
   });
   const element = h(
     'div',
-    { class: 'bench-tabs', role: 'tablist', 'aria-label': 'Plot' },
+    { class: 'bench-tabs', role: 'tablist', 'aria-label': t('Plot') },
     ...buttons.map(({ button }) => button),
   );
   element.addEventListener('keydown', (event) => {

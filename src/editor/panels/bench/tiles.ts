@@ -6,6 +6,7 @@ import { litDirections } from '../../../analysis/plots/lit-picture.ts';
 import type { Picture } from '../../../analysis/plots/picture.ts';
 import { FILL } from '../../../analysis/plots/surface.ts';
 import { direction, type Vec3 } from '../../../analysis/vector.ts';
+import { t } from '../../language/language.ts';
 import {
   colors,
   degrees,
@@ -125,7 +126,9 @@ function drawDifference(painter: Painter, { curves, settings }: Plot, area: Area
   const most = greatestDifference(a.picture, b.picture);
   if (pixels) painter.image(pixels, area, smooth);
   const text =
-    most === null ? 'Difference' : `Difference, at most ${shortNumber(Number(most.toPrecision(3)))}`;
+    most === null
+      ? t('Difference')
+      : t('Difference, at most {value}', { value: shortNumber(Number(most.toPrecision(3))) });
   painter.text(text, [area.x, area.y - 14], { color: colors.text });
 }
 

@@ -1,6 +1,7 @@
 /** The verdict on the selected material's model, computed while its tab is in sight; it follows the source. */
 import type { Check, Outcome, Property, Verdict, WorstCase } from '../../../analysis/verdict/types.ts';
 import type { RealtimeRenderer } from '../../../realtime/renderer.ts';
+import { plural, t, translate } from '../../language/language.ts';
 import { h } from '../../ui/dom.ts';
 import { createHeatMapPanel } from './heat-map.ts';
 import type { Subject } from './series.ts';
@@ -14,22 +15,22 @@ export interface VerdictPanel {
 }
 
 const OUTCOMES: Readonly<Record<Outcome, string>> = {
-  pass: 'Pass',
-  fail: 'Fail',
-  'given up': 'Given up',
+  pass: t('Pass'),
+  fail: t('Fail'),
+  'given up': t('Given up'),
   'not applicable': '–',
 };
 
 /** Where the law's own name says too little. */
 const NAMES: Partial<Record<Property, string>> = {
-  finiteness: 'Finite',
-  positivity: 'Positive',
-  reciprocity: 'Reciprocal',
-  energy: 'Conserves energy',
-  furnace: 'White furnace',
-  lobes: 'Lobes add up',
-  continuity: 'Continuous',
-  gpu: 'GPU = float64',
+  finiteness: t('Finite'),
+  positivity: t('Positive'),
+  reciprocity: t('Reciprocal'),
+  energy: t('Conserves energy'),
+  furnace: t('White furnace'),
+  lobes: t('Lobes add up'),
+  continuity: t('Continuous'),
+  gpu: t('GPU = float64'),
 };
 
 const nameOf = (property: Property): string =>
@@ -47,9 +48,14 @@ export interface VerdictActions {
 }
 
 export function createVerdictPanel({ showCase, showCell, renderer }: VerdictActions): VerdictPanel {
-  const button = h('button', { type: 'button', class: 'text-button' }, 'Check');
+  const button = h('button', { type: 'button', class: 'text-button' }, t('Check'));
   const state = h('span', { class: 'verdict-state', role: 'status' });
-  const progress = h('progress', { class: 'bench-progress', max: 1, 'aria-label': 'Checking', hidden: true });
+  const progress = h('progress', {
+    class: 'bench-progress',
+    max: 1,
+    'aria-label': t('Checking'),
+    hidden: true,
+  });
   const list = h('ul', { class: 'verdict-list' });
   const map = createHeatMapPanel(showCell);
   const element = h(
@@ -68,13 +74,13 @@ export function createVerdictPanel({ showCase, showCell, renderer }: VerdictActi
     worker = null;
     clearTimeout(timer);
     progress.hidden = true;
-    button.textContent = 'Check';
+    button.textContent = t('Check');
     state.textContent = text;
   };
   const begin = (job: VerdictJob) => {
-    stop(`Checking ${job.model}`);
+    stop(t('Checking {model}', { model: job.model }));
     map.show(null);
-    button.textContent = 'Cancel';
+    button.textContent = t('Cancel');
     progress.hidden = false;
     progress.value = 0;
     const started = new Worker(new URL('./verdict-worker.ts', import.meta.url), { type: 'module' });
@@ -99,7 +105,7 @@ export function createVerdictPanel({ showCase, showCell, renderer }: VerdictActi
     tell(job);
   };
   button.addEventListener('click', () => {
-    if (worker) stop('Cancelled');
+    if (worker) stop(t('Cancelled'));
     else if (asked) begin(asked);
   });
 
@@ -113,7 +119,7 @@ export function createVerdictPanel({ showCase, showCell, renderer }: VerdictActi
       const job = { model, source };
       asked = job;
       list.classList.add('old');
-      stop(`Checking ${model}`);
+      stop(t('Checking {model}', { model }));
       timer = window.setTimeout(() => begin(job), first ? 0 : PAUSE);
     },
   };
@@ -121,9 +127,17 @@ export function createVerdictPanel({ showCase, showCell, renderer }: VerdictActi
 
 function summary({ model, checks, sound }: Verdict): string {
   const failed = checks.filter(({ outcome }) => outcome === 'fail').length;
-  if (!sound) return `${model} breaks ${failed === 1 ? 'a law' : `${failed} laws`} that it does not give up`;
+  if (!sound)
+    return plural(
+      failed,
+      '{model} breaks a law that it does not give up',
+      '{model} breaks {count} laws that it does not give up',
+      { model },
+    );
   const givenUp = checks.filter(({ outcome }) => outcome === 'given up').length;
-  return givenUp > 0 ? `${model} is sound, but for what it gives up on purpose` : `${model} is sound`;
+  return givenUp > 0
+    ? t('{model} is sound, but for what it gives up on purpose', { model })
+    : t('{model} is sound', { model });
 }
 
 function row(check: Check, showCase: (worst: WorstCase) => void): HTMLElement {
@@ -135,10 +149,10 @@ function row(check: Check, showCase: (worst: WorstCase) => void): HTMLElement {
           {
             type: 'button',
             class: 'text-button',
-            'aria-label': `Show the worst case of ${nameOf(property)}`,
-            tip: 'Put its parameters on the material and its directions into the plots',
+            'aria-label': t('Show the worst case of {property}', { property: nameOf(property) }),
+            tip: t('Put its parameters on the material and its directions into the plots'),
           },
-          'Show',
+          t('Show'),
         )
       : null;
   if (worst) show?.addEventListener('click', () => showCase(worst));
@@ -147,8 +161,8 @@ function row(check: Check, showCase: (worst: WorstCase) => void): HTMLElement {
     {},
     h('span', { class: 'verdict-outcome' }, OUTCOMES[outcome]),
     h('span', { class: 'verdict-name' }, nameOf(property)),
-    h('span', { class: 'verdict-figure' }, figureText),
-    h('span', { class: 'verdict-sentence' }, sentence),
+    h('span', { class: 'verdict-figure' }, translate(figureText)),
+    h('span', { class: 'verdict-sentence' }, translate(sentence)),
     show ?? h('span', {}),
   );
   item.dataset.property = property;

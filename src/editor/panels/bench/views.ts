@@ -1,4 +1,6 @@
 /** Every view of the bench: its name, what draws it, and which settings it has. */
+
+import { t } from '../../language/language.ts';
 import { azimuthView } from './azimuth.ts';
 import { cartesianView } from './cartesian.ts';
 import type { View } from './frame.ts';
@@ -47,92 +49,92 @@ const azimuth = ['turns', 'thetaV', 'phiV', 'thetaL', 'thetaH', 'thetaD'] as con
 
 export const viewInfo: Readonly<Record<BenchView, ViewInfo>> = {
   polar: {
-    label: 'Polar',
-    tip: 'The plane of incidence from the side',
+    label: t('Polar'),
+    tip: t('The plane of incidence from the side'),
     view: polarView,
     controls: incidence,
   },
   lobe: {
     label: '3D',
-    tip: 'The lobe over the whole hemisphere; drag to turn it, drag v and l to move them',
+    tip: t('The lobe over the whole hemisphere; drag to turn it, drag v and l to move them'),
     view: lobeView,
     controls: ['thetaV', 'phiV', 'thetaL', 'phiL', 'light', ...curve],
   },
   thetaL: {
     label: 'θl θv',
-    tip: 'Over the angle of the light or of the viewer, in the plane of incidence',
+    tip: t('Over the angle of the light or of the viewer, in the plane of incidence'),
     view: cartesianView,
     controls: incidence,
   },
   thetaH: {
     label: 'θh',
-    tip: 'Over the angle of the half vector: the highlight',
+    tip: t('Over the angle of the half vector: the highlight'),
     view: cartesianView,
     controls: ['thetaD', 'phiV', ...curve],
   },
   thetaD: {
     label: 'θd',
-    tip: 'Over the difference angle: Fresnel, grazing light',
+    tip: t('Over the difference angle: Fresnel, grazing light'),
     view: cartesianView,
     controls: ['thetaH', 'phiV', ...curve],
   },
   phi: {
     label: 'φ',
-    tip: 'Over the azimuth of the light or the half vector: flat, unless the model is anisotropic',
+    tip: t('Over the azimuth of the light or the half vector: flat, unless the model is anisotropic'),
     view: cartesianView,
     controls: [...azimuth, ...curve],
   },
   azimuth: {
-    label: 'φ polar',
-    tip: 'The same over the azimuth, from above: round, unless the model is anisotropic',
+    label: t('φ polar'),
+    tip: t('The same over the azimuth, from above: round, unless the model is anisotropic'),
     view: azimuthView,
     controls: [...azimuth, ...curve],
   },
   albedo: {
-    label: 'Albedo',
-    tip: 'The share of light that is reflected, over the angle of the viewer',
+    label: t('Albedo'),
+    tip: t('The share of light that is reflected, over the angle of the viewer'),
     view: cartesianView,
     controls: albedo,
   },
   sweep: {
-    label: 'Sweep',
-    tip: 'The share of light that is reflected, over one parameter of the model',
+    label: t('Sweep'),
+    tip: t('The share of light that is reflected, over one parameter of the model'),
     view: cartesianView,
     controls: ['parameter', ...albedo],
   },
   image: {
-    label: 'Image',
-    tip: 'All of θh and θd at once',
+    label: t('Image'),
+    tip: t('All of θh and θd at once'),
     view: imageView,
     controls: ['cosine', 'squareRoot', ...picture],
   },
   map: {
-    label: 'Map φ',
-    tip: 'All of φ and θ of the light or the half vector at once: anisotropy',
+    label: t('Map φ'),
+    tip: t('All of φ and θ of the light or the half vector at once: anisotropy'),
     view: mapView,
     controls: [...azimuth, 'cosine', ...picture],
   },
   sphere: {
-    label: 'Sphere',
-    tip: 'A sphere under one light; drag to move the light',
+    label: t('Sphere'),
+    tip: t('A sphere under one light; drag to move the light'),
     view: sphereView,
     controls: lit,
   },
   object: {
-    label: 'Object',
-    tip: 'The selected object under one light; drag to move the light',
+    label: t('Object'),
+    tip: t('The selected object under one light; drag to move the light'),
     view: objectView,
     controls: lit,
   },
   fresnel: {
-    label: 'Fresnel',
-    tip: 'The reflectance of a real substance over the angle of incidence: exact, and as Schlick has it',
+    label: t('Fresnel'),
+    tip: t('The reflectance of a real substance over the angle of incidence: exact, and as Schlick has it'),
     view: cartesianView,
     controls: ['substance', 'channel', 'log', 'range'],
   },
   verdict: {
-    label: 'Verdict',
-    tip: 'The model held to physics, over all its parameters and directions',
+    label: t('Verdict'),
+    tip: t('The model held to physics, over all its parameters and directions'),
     view: null,
     controls: [],
   },

@@ -3,6 +3,7 @@ import { halfDifferenceOf } from '../../../analysis/plots/half-difference.ts';
 import type { Vec3 } from '../../../analysis/vector.ts';
 import type { WorstCase } from '../../../analysis/verdict/types.ts';
 import type { DocumentStore } from '../../../scene/store.ts';
+import { t } from '../../language/language.ts';
 import { tenths, wrapped } from './frame.ts';
 import { type BenchSettings, STEEPEST } from './settings.ts';
 
@@ -15,7 +16,7 @@ export function putWorstCase(
   store: DocumentStore,
   material: string,
   { parameters, term }: WorstCase,
-  label = `Worst case of ${term}`,
+  label = t('Worst case of {term}', { term }),
 ): void {
   store.edit(label, (draft) => {
     const target = draft.materials[material];

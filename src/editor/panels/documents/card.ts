@@ -1,4 +1,6 @@
 /** A document in the list: its picture, name, age and size. */
+
+import { t } from '../../language/language.ts';
 import type { KeptDocument } from '../../storage/kept-documents.ts';
 import { h } from '../../ui/dom.ts';
 import { icon } from '../../ui/icons.ts';
@@ -12,7 +14,7 @@ export interface CardState {
   readonly state: 'open' | 'elsewhere' | null;
 }
 
-const BADGES = { open: 'open', elsewhere: 'in another tab' };
+const BADGES = { open: t('open'), elsewhere: t('in another tab') };
 
 export function createCard(kept: KeptDocument, { url, chosen, state }: CardState): HTMLButtonElement {
   const card = h(
@@ -24,7 +26,7 @@ export function createCard(kept: KeptDocument, { url, chosen, state }: CardState
       url ? h('img', { src: url, alt: '', draggable: 'false' }) : icon('scene'),
       state ? h('span', { class: 'badge' }, BADGES[state]) : null,
     ),
-    h('span', { class: 'document-name' }, kept.name || 'Untitled'),
+    h('span', { class: 'document-name' }, kept.name || t('Untitled')),
     h('span', { class: 'document-facts' }, `${agoText(kept.modified)} · ${bytesText(sizeOf(kept))}`),
   );
   card.dataset.document = kept.id;

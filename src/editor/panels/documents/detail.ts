@@ -1,6 +1,7 @@
 /** The chosen document: rename, open, duplicate, delete; and its versions. */
 import { setField } from '../../../scene/commands.ts';
 import { attempt } from '../../commands.ts';
+import { t } from '../../language/language.ts';
 import type { KeptDocument } from '../../storage/kept-documents.ts';
 import { timeText } from '../../storage/workspace.ts';
 import { h } from '../../ui/dom.ts';
@@ -25,12 +26,14 @@ export async function createDetail(
     value: kept.name,
     maxlength: 200,
     disabled: elsewhere,
-    'aria-label': 'Name of the document',
+    'aria-label': t('Name of the document'),
   });
   name.addEventListener('change', () => {
-    void run('Not renamed', async () => {
+    void run(t('Not renamed'), async () => {
       if (isOpen) {
-        attempt('Not renamed', () => setField(store, ['name'], name.value, `Rename to ${name.value}`));
+        attempt(t('Not renamed'), () =>
+          setField(store, ['name'], name.value, t('Rename to {name}', { name: name.value })),
+        );
         store.endMerge();
         await workspace.flush();
       } else await storage.rename(kept, name.value);
@@ -41,26 +44,29 @@ export async function createDetail(
     if (event.key === 'Enter') name.blur();
   });
 
-  const open = action('Open', 'folder', isOpen, async () => {
+  const open = action(t('Open'), 'folder', isOpen, async () => {
     close();
     await workspace.openKept(kept);
   });
   open.classList.add('primary');
-  const duplicate = action('Duplicate', 'copy', false, async () => {
-    await storage.duplicate(kept, `${kept.name.slice(0, 195)} copy`);
+  const duplicate = action(t('Duplicate'), 'copy', false, async () => {
+    await storage.duplicate(kept, t('{name} copy', { name: kept.name.slice(0, 195) }));
     await refresh();
   });
-  const remove = action('Delete', 'trash', elsewhere, async () => {
+  const remove = action(t('Delete'), 'trash', elsewhere, async () => {
     await workspace.delete(kept, async () => session.newScene());
     await refresh();
   });
 
-  const facts = [`Changed ${timeText(kept.modified)}`, `begun ${timeText(kept.created)}`];
-  if (kept.file) facts.push(`Save writes ${kept.file.name}`);
+  const facts = [
+    t('Changed {time}', { time: timeText(kept.modified) }),
+    t('begun {time}', { time: timeText(kept.created) }),
+  ];
+  if (kept.file) facts.push(t('Save writes {name}', { name: kept.file.name }));
   return [
     name,
     h('p', { class: 'document-facts' }, facts.join(' · ')),
-    elsewhere ? h('p', { class: 'hint' }, 'Another tab has it open. Opening it here makes a copy.') : null,
+    elsewhere ? h('p', { class: 'hint' }, t('Another tab has it open. Opening it here makes a copy.')) : null,
     h('div', { class: 'document-actions' }, open, duplicate, remove),
     await createVersions(context, kept, isOpen),
   ].filter((part) => part !== null);
@@ -73,7 +79,7 @@ function action(
   what: () => Promise<void>,
 ): HTMLButtonElement {
   const button = h('button', { type: 'button', class: 'text-button', disabled }, icon(name), label);
-  button.addEventListener('click', () => void run(`${label} did not work`, what));
+  button.addEventListener('click', () => void run(t('{label} did not work', { label }), what));
   return button;
 }
 

@@ -1,4 +1,6 @@
 /** The documents that the browser keeps: a dialog with their pictures and, for the chosen one, its versions. */
+
+import { t } from '../../language/language.ts';
 import type { Session } from '../../session.ts';
 import type { KeptDocument, KeptDocuments } from '../../storage/kept-documents.ts';
 import { heldDocuments } from '../../storage/session-record.ts';
@@ -21,11 +23,11 @@ export async function openDocuments(session: Session): Promise<void> {
   const { workspace } = session;
   const { storage } = workspace;
   if (!storage) {
-    toast('error', 'This browser or window keeps no documents', 'Save to a file before you leave.');
+    toast('error', t('This browser or window keeps no documents'), t('Save to a file before you leave.'));
     return;
   }
   await workspace.flush();
-  const dialog = h('dialog', { class: 'documents', 'aria-label': 'Documents' });
+  const dialog = h('dialog', { class: 'documents', 'aria-label': t('Documents') });
   const list = h('div', { class: 'document-list' });
   const detail = h('section', { class: 'document-detail' });
   const usage = createUsage();
@@ -68,7 +70,7 @@ export async function openDocuments(session: Session): Promise<void> {
     list.replaceChildren(
       ...(cards.length > 0
         ? cards
-        : [h('p', { class: 'hint' }, 'What you change is kept here by itself. There is nothing yet.')]),
+        : [h('p', { class: 'hint' }, t('What you change is kept here by itself. There is nothing yet.'))]),
     );
     const kept = documents.find(({ id }) => id === chosen);
     detail.replaceChildren(...(kept ? await createDetail(context, kept, held) : []));
@@ -103,17 +105,17 @@ export async function openDocuments(session: Session): Promise<void> {
 
   const close = h(
     'button',
-    { type: 'button', class: 'icon-button', 'aria-label': 'Close', tip: 'Close (Esc)' },
+    { type: 'button', class: 'icon-button', 'aria-label': t('Close'), tip: t('Close (Esc)') },
     icon('close'),
   );
   close.addEventListener('click', () => dialog.close());
-  const fresh = h('button', { type: 'button', class: 'text-button' }, icon('file'), 'New');
+  const fresh = h('button', { type: 'button', class: 'text-button' }, icon('file'), t('New'));
   fresh.addEventListener('click', () => {
     dialog.close();
     session.newScene();
   });
   dialog.append(
-    h('header', {}, h('h1', {}, 'Documents'), fresh, close),
+    h('header', {}, h('h1', {}, t('Documents')), fresh, close),
     h('div', { class: 'documents-body' }, list, detail),
     usage.element,
   );
@@ -134,6 +136,6 @@ export async function openDocuments(session: Session): Promise<void> {
     list.querySelector<HTMLElement>('[aria-current]')?.focus();
   } catch (error) {
     dialog.close();
-    toastError('The documents could not be read', error);
+    toastError(t('The documents could not be read'), error);
   }
 }

@@ -1,4 +1,6 @@
 /** The document's name in the top bar, and whether what was done to it is kept; opens the list of documents. */
+
+import { t } from '../../language/language.ts';
 import type { Session } from '../../session.ts';
 import type { KeepState } from '../../storage/autosave.ts';
 import { explainFailure } from '../../storage/failure.ts';
@@ -15,13 +17,13 @@ export function createTitle(session: Session): HTMLElement {
   button.addEventListener('click', () => void openDocuments(session));
 
   const showName = () => {
-    name.textContent = store.document.name || 'Untitled';
+    name.textContent = store.document.name || t('Untitled');
     document.title = `${store.document.name} – Irradia`;
   };
   const showState = (state: KeepState) => {
     button.dataset.keep = state.kind;
     mark.replaceChildren(state.kind === 'failed' ? icon('warning') : markTexts[state.kind]);
-    button.dataset.tip = `${tipOf(state)}\nDocuments and versions (Ctrl+Shift+O)`;
+    button.dataset.tip = `${tipOf(state)}\n${t('Documents and versions (Ctrl+Shift+O)')}`;
   };
   store.subscribe(showName);
   workspace.subscribe(showState);
@@ -35,12 +37,12 @@ const markTexts = { unchanged: '', waiting: '•', kept: 'kept', failed: '' } as
 function tipOf(state: KeepState): string {
   switch (state.kind) {
     case 'unchanged':
-      return 'As it was opened';
+      return t('As it was opened');
     case 'waiting':
-      return 'Being kept in this browser';
+      return t('Being kept in this browser');
     case 'kept':
-      return `Kept in this browser ${timeText(state.time)}`;
+      return t('Kept in this browser {time}', { time: timeText(state.time) });
     case 'failed':
-      return `Not kept. ${explainFailure(state.error)}`;
+      return t('Not kept. {reason}', { reason: explainFailure(state.error) });
   }
 }

@@ -1,4 +1,6 @@
 /** How much of the browser's storage is used, and whether the browser may clear it by itself. */
+
+import { plural, t } from '../../language/language.ts';
 import type { KeptDocument } from '../../storage/kept-documents.ts';
 import { h } from '../../ui/dom.ts';
 import { toast } from '../../ui/toast.ts';
@@ -15,9 +17,9 @@ export function createUsage(): {
       type: 'button',
       class: 'text-button',
       hidden: true,
-      tip: 'A browser may clear what pages have stored when the disk is full, unless it is asked not to',
+      tip: t('A browser may clear what pages have stored when the disk is full, unless it is asked not to'),
     },
-    'Protect from clearing',
+    t('Protect from clearing'),
   );
   const element = h('footer', { class: 'documents-usage' }, text, ask);
 
@@ -27,8 +29,8 @@ export function createUsage(): {
     else
       toast(
         'info',
-        'The browser did not agree',
-        'Some do once the page is installed or bookmarked. Files that you save are always yours.',
+        t('The browser did not agree'),
+        t('Some do once the page is installed or bookmarked. Files that you save are always yours.'),
       );
   });
 
@@ -36,8 +38,12 @@ export function createUsage(): {
     element,
     async refresh(kept) {
       const { usage = 0, quota = 0 } = await navigator.storage.estimate();
-      const count = kept.length === 1 ? '1 document' : `${kept.length} documents`;
-      text.textContent = `${count} in this browser · ${bytesText(usage)} of ${bytesText(quota)} used`;
+      const documents = plural(kept.length, '1 document', '{count} documents');
+      text.textContent = t('{documents} in this browser · {usage} of {quota} used', {
+        documents,
+        usage: bytesText(usage),
+        quota: bytesText(quota),
+      });
       ask.hidden = kept.length === 0 || (await navigator.storage.persisted());
     },
   };

@@ -1,4 +1,6 @@
 /** The versions of a document: those with a name, and those that were kept every ten minutes of work. */
+
+import { t } from '../../language/language.ts';
 import type { KeptDocument, Version } from '../../storage/kept-documents.ts';
 import { timeText } from '../../storage/workspace.ts';
 import { h } from '../../ui/dom.ts';
@@ -18,11 +20,11 @@ export async function createVersions(
   const name = h('input', {
     type: 'text',
     class: 'text-field',
-    placeholder: 'Name the present state',
+    placeholder: t('Name the present state'),
     maxlength: 200,
-    'aria-label': 'Name of a new version',
+    'aria-label': t('Name of a new version'),
   });
-  const keep = h('button', { type: 'submit', class: 'text-button' }, 'Keep version');
+  const keep = h('button', { type: 'submit', class: 'text-button' }, t('Keep version'));
   const form = h('form', { class: 'version-form' }, name, keep);
   form.addEventListener('submit', (event) => {
     event.preventDefault();
@@ -31,7 +33,7 @@ export async function createVersions(
       name.focus();
       return;
     }
-    void run('The version was not kept', async () => {
+    void run(t('The version was not kept'), async () => {
       await storage.addVersion(kept.id, session.store.document, title);
       await refresh();
     });
@@ -40,11 +42,11 @@ export async function createVersions(
   return h(
     'section',
     { class: 'versions' },
-    h('h2', {}, 'Versions'),
+    h('h2', {}, t('Versions')),
     isOpen ? form : null,
     versions.length > 0
       ? list
-      : h('p', { class: 'hint' }, 'One is kept by itself every ten minutes of work.'),
+      : h('p', { class: 'hint' }, t('One is kept by itself every ten minutes of work.')),
   );
 }
 
@@ -53,16 +55,16 @@ function row(context: DocumentsContext, kept: KeptDocument, version: Version): H
   const { workspace } = session;
   const restore = h(
     'button',
-    { type: 'button', class: 'text-button', tip: 'Go back to this version; undo leads back again' },
-    'Restore',
+    { type: 'button', class: 'text-button', tip: t('Go back to this version; undo leads back again') },
+    t('Restore'),
   );
   restore.addEventListener('click', () => {
-    void run('The version was not restored', async () => {
+    void run(t('The version was not restored'), async () => {
       close();
       if (kept.id !== workspace.kept?.id && !(await workspace.openKept(kept))) return;
       await workspace.restore(version);
-      toast('success', `Restored ${titleOf(version)}`, undefined, {
-        label: 'Undo',
+      toast('success', t('Restored {title}', { title: titleOf(version) }), undefined, {
+        label: t('Undo'),
         run: () => session.store.undo(),
       });
     });
@@ -72,13 +74,13 @@ function row(context: DocumentsContext, kept: KeptDocument, version: Version): H
     {
       type: 'button',
       class: 'icon-button',
-      'aria-label': `Delete ${titleOf(version)}`,
-      tip: 'Delete this version',
+      'aria-label': t('Delete {title}', { title: titleOf(version) }),
+      tip: t('Delete this version'),
     },
     icon('trash'),
   );
   remove.addEventListener('click', () => {
-    void run('The version was not deleted', async () => {
+    void run(t('The version was not deleted'), async () => {
       await storage.deleteVersion(version);
       await refresh();
     });
@@ -89,7 +91,7 @@ function row(context: DocumentsContext, kept: KeptDocument, version: Version): H
     h(
       'span',
       { class: 'version-name', tip: timeText(version.time) },
-      h('strong', { class: version.name === null ? 'automatic' : undefined }, version.name ?? 'Automatic'),
+      h('strong', { class: version.name === null ? 'automatic' : undefined }, version.name ?? t('Automatic')),
       h('span', {}, agoText(version.time)),
     ),
     restore,
@@ -98,5 +100,5 @@ function row(context: DocumentsContext, kept: KeptDocument, version: Version): H
 }
 
 function titleOf({ name, time }: Version): string {
-  return name === null ? `the version of ${timeText(time)}` : `“${name}”`;
+  return name === null ? t('the version of {time}', { time: timeText(time) }) : `“${name}”`;
 }

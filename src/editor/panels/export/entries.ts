@@ -5,6 +5,7 @@ import { findModel } from '../../../scene/models.ts';
 import { download, fileNameOf } from '../../io/files.ts';
 import { ImportCancelled } from '../../io/importer/import-job.ts';
 import { runImport } from '../../io/open-import.ts';
+import { t, translate } from '../../language/language.ts';
 import { selectedMaterial } from '../../selected-material.ts';
 import type { Session } from '../../session.ts';
 import type { MenuEntry } from '../../ui/menu.ts';
@@ -25,32 +26,32 @@ export function exportEntries(context: ExportContext): MenuEntry[] {
   const name = material === undefined ? '' : ` ${store.document.materials[material]?.name ?? ''}`;
   return [
     'separator',
-    { heading: 'Export' },
+    { heading: t('Export') },
     {
-      label: 'Picture…',
+      label: t('Picture…'),
       icon: 'image',
-      tip: 'PNG, JPEG or linear EXR of any size, by either renderer',
+      tip: t('PNG, JPEG or linear EXR of any size, by either renderer'),
       disabled: context.renderer() === null,
       run: () => void exportPicture(context),
     },
     {
-      label: 'Scene as GLB',
+      label: t('Scene as GLB'),
       icon: 'mesh',
-      tip: 'Objects, materials (KHR extensions), punctual lights and camera; says what glTF cannot hold',
+      tip: t('Objects, materials (KHR extensions), punctual lights and camera; says what glTF cannot hold'),
       disabled: Object.keys(store.document.objects).length === 0,
       run: () => void exportModel(context),
     },
     {
-      label: `Material${name} as JSON`,
+      label: t('Material{name} as JSON', { name }),
       icon: 'material',
-      tip: 'With its model, images and measurements; drop the file on the page to bring it back',
+      tip: t('With its model, images and measurements; drop the file on the page to bring it back'),
       disabled: material === undefined,
       run: () => material !== undefined && void exportMaterial(context, material),
     },
     {
-      label: `Copy material${name} as code`,
+      label: t('Copy material{name} as code', { name }),
       icon: 'copy',
-      tip: 'For a program with three.js and the npm package irradia',
+      tip: t('For a program with three.js and the npm package irradia'),
       disabled: material === undefined,
       run: () => material !== undefined && void copyCode(context, material),
     },
@@ -69,13 +70,14 @@ async function exportModel({ session }: ExportContext): Promise<void> {
   const { document } = session.store;
   const name = `${fileNameOf(document.name)}.glb`;
   try {
-    const { result } = await runImport(`Exporting ${name}`, { kind: 'export', document });
+    const { result } = await runImport(t('Exporting {name}', { name }), { kind: 'export', document });
     if (result.kind !== 'files') return;
     for (const { bytes } of result.files) download(name, new Blob([bytes], { type: 'model/gltf-binary' }));
-    toast('success', `Exported ${name}`);
-    if (result.notes.length > 0) toast('note', `About ${name}`, result.notes.join('\n'));
+    toast('success', t('Exported {name}', { name }));
+    if (result.notes.length > 0)
+      toast('note', t('About {name}', { name }), result.notes.map(translate).join('\n'));
   } catch (error) {
-    if (!(error instanceof ImportCancelled)) toastError(`${name} was not exported`, error);
+    if (!(error instanceof ImportCancelled)) toastError(t('{name} was not exported', { name }), error);
   }
 }
 
@@ -85,9 +87,9 @@ async function exportMaterial({ session }: ExportContext, id: string): Promise<v
   try {
     const { writeMaterialFile } = await import('../../../io/material-file.ts');
     download(name, new Blob([writeMaterialFile(document, id)], { type: 'application/json' }));
-    toast('success', `Exported ${name}`);
+    toast('success', t('Exported {name}', { name }));
   } catch (error) {
-    toastError(`${name} was not exported`, error);
+    toastError(t('{name} was not exported', { name }), error);
   }
 }
 
@@ -103,10 +105,10 @@ async function copyCode({ session }: ExportContext, id: string): Promise<void> {
     const textures = Object.keys(material.textures).length > 0;
     toast(
       'success',
-      'The code is in the clipboard',
-      textures ? 'Its textures are not part of it.' : undefined,
+      t('The code is in the clipboard'),
+      textures ? t('Its textures are not part of it.') : undefined,
     );
   } catch (error) {
-    toastError('The code was not copied', error);
+    toastError(t('The code was not copied'), error);
   }
 }

@@ -1,5 +1,6 @@
 /** The dialog that asks how large a picture shall be, shows how far it is, and hands it over. */
 import { download, fileNameOf } from '../../io/files.ts';
+import { t } from '../../language/language.ts';
 import { h } from '../../ui/dom.ts';
 import { row, selectField } from '../../ui/fields.ts';
 import { numberField } from '../../ui/number-field.ts';
@@ -12,13 +13,13 @@ import { MOST_TRACED_PIXELS } from './traced.ts';
 const LARGEST_SIDE = 16_384;
 
 const SIZES = [
-  { value: '1', label: 'As the viewport' },
-  { value: '2', label: 'Twice the viewport' },
-  { value: '4', label: 'Four times the viewport' },
-  { value: '1920x1080', label: '1920 × 1080, full HD' },
+  { value: '1', label: t('As the viewport') },
+  { value: '2', label: t('Twice the viewport') },
+  { value: '4', label: t('Four times the viewport') },
+  { value: '1920x1080', label: t('1920 × 1080, full HD') },
   { value: '3840x2160', label: '3840 × 2160, 4K' },
   { value: '7680x4320', label: '7680 × 4320, 8K' },
-  { value: 'own', label: 'Of your own' },
+  { value: 'own', label: t('Of your own') },
 ];
 
 export function openPictureDialog(context: PictureContext): void {
@@ -33,8 +34,7 @@ export function openPictureDialog(context: PictureContext): void {
   };
   let running: AbortController | null = null;
 
-  const side = (label: 'Width' | 'Height') => {
-    const key = label === 'Width' ? 'width' : 'height';
+  const side = (key: 'width' | 'height', label: string) => {
     const field = numberField({
       label,
       min: 1,
@@ -49,8 +49,8 @@ export function openPictureDialog(context: PictureContext): void {
     });
     return field;
   };
-  const [widthField, heightField] = [side('Width'), side('Height')];
-  const size = selectField('Size', SIZES, (value) => {
+  const [widthField, heightField] = [side('width', t('Width')), side('height', t('Height'))];
+  const size = selectField(t('Size'), SIZES, (value) => {
     const [w, h] = value.split('x').map(Number);
     if (value !== 'own') {
       request.width = h ? (w as number) : width * Number(value);
@@ -59,10 +59,10 @@ export function openPictureDialog(context: PictureContext): void {
     update();
   });
   const source = selectField(
-    'Picture',
+    t('Picture'),
     [
-      { value: 'interactive', label: 'Interactive' },
-      { value: 'traced', label: 'Path traced' },
+      { value: 'interactive', label: t('Interactive') },
+      { value: 'traced', label: t('Path traced') },
     ],
     (value) => {
       request.source = value as PictureRequest['source'];
@@ -70,7 +70,7 @@ export function openPictureDialog(context: PictureContext): void {
     },
   );
   const samples = numberField({
-    label: 'Samples',
+    label: t('Samples'),
     min: 1,
     max: 65_536,
     step: 1,
@@ -80,32 +80,32 @@ export function openPictureDialog(context: PictureContext): void {
     },
   });
   const format = selectField(
-    'Format',
+    t('Format'),
     [
-      { value: 'png', label: 'PNG, as the screen shows it' },
-      { value: 'jpg', label: 'JPEG, as the screen shows it' },
-      { value: 'exr', label: 'EXR, linear radiance' },
+      { value: 'png', label: t('PNG, as the screen shows it') },
+      { value: 'jpg', label: t('JPEG, as the screen shows it') },
+      { value: 'exr', label: t('EXR, linear radiance') },
     ],
     (value) => {
       request.format = value as PictureFormat;
     },
   );
-  const samplesRow = row({ label: 'Samples', tip: 'Paths per pixel' }, samples.element);
+  const samplesRow = row({ label: t('Samples'), tip: t('Paths per pixel') }, samples.element);
   const status = h('p', { class: 'hint', role: 'status' });
-  const bar = h('progress', { max: 1, value: 0, 'aria-label': 'Export', hidden: true });
-  const start = h('button', { type: 'submit', class: 'text-button primary' }, 'Export');
-  const cancel = h('button', { type: 'button', class: 'text-button' }, 'Cancel');
+  const bar = h('progress', { max: 1, value: 0, 'aria-label': t('Export'), hidden: true });
+  const start = h('button', { type: 'submit', class: 'text-button primary' }, t('Export'));
+  const cancel = h('button', { type: 'button', class: 'text-button' }, t('Cancel'));
   const form = h(
     'form',
     { method: 'dialog' },
-    h('h1', {}, 'Export a picture'),
-    row({ label: 'Picture', tip: 'Which of the two renderers draws it' }, source.element),
-    row({ label: 'Size', tip: 'In pixels' }, size.element),
-    row({ label: 'Width', tip: 'Pixels' }, widthField.element),
-    row({ label: 'Height', tip: 'Pixels' }, heightField.element),
+    h('h1', {}, t('Export a picture')),
+    row({ label: t('Picture'), tip: t('Which of the two renderers draws it') }, source.element),
+    row({ label: t('Size'), tip: t('In pixels') }, size.element),
+    row({ label: t('Width'), tip: t('Pixels') }, widthField.element),
+    row({ label: t('Height'), tip: t('Pixels') }, heightField.element),
     samplesRow,
     row(
-      { label: 'Format', tip: 'EXR has the linear radiance before exposure and tone mapping' },
+      { label: t('Format'), tip: t('EXR has the linear radiance before exposure and tone mapping') },
       format.element,
     ),
     status,
@@ -122,8 +122,10 @@ export function openPictureDialog(context: PictureContext): void {
     const tooLarge = request.source === 'traced' && request.width * request.height > MOST_TRACED_PIXELS;
     start.disabled = tooLarge;
     status.textContent = tooLarge
-      ? 'A film of so many pixels does not fit into a page’s memory; `irradia render --size` has no such bound.'
-      : `${((request.width * request.height) / 1e6).toFixed(1)} megapixels`;
+      ? t(
+          'A film of so many pixels does not fit into a page’s memory; `irradia render --size` has no such bound.',
+        )
+      : t('{count} megapixels', { count: ((request.width * request.height) / 1e6).toFixed(1) });
   };
   const run = async () => {
     running = new AbortController();
@@ -138,10 +140,10 @@ export function openPictureDialog(context: PictureContext): void {
       });
       const name = `${fileNameOf(scene.name)}-${request.width}x${request.height}.${request.format}`;
       download(name, file);
-      toast('success', `Exported ${name}`);
+      toast('success', t('Exported {name}', { name }));
       dialog.close();
     } catch (error) {
-      if (!running?.signal.aborted) toastError('The picture was not exported', error);
+      if (!running?.signal.aborted) toastError(t('The picture was not exported'), error);
       for (const field of fields) field.disabled = false;
       bar.hidden = true;
       update();

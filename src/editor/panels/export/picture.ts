@@ -2,6 +2,7 @@
 import type { RealtimeRenderer, Size } from '../../../realtime/renderer.ts';
 import type { SceneMirror } from '../../../scene/mirror.ts';
 import type { Document } from '../../../scene/schema.ts';
+import { t } from '../../language/language.ts';
 import { h } from '../../ui/dom.ts';
 import type { FromPicture, PictureFormat, ToPicture } from './picture-messages.ts';
 import { readLinear, readScreen, renderTiles } from './tiles.ts';
@@ -51,7 +52,7 @@ export async function makePicture(
         read: format === 'exr' ? readLinear : readScreen,
         signal,
         onTile(tile, pixels, done) {
-          onProgress('Drawing', done);
+          onProgress(t('Drawing'), done);
           send({ kind: 'tile', tile, pixels }, [pixels.buffer]);
         },
       }),
@@ -86,7 +87,7 @@ async function assembled(
     const file = new Promise<Blob>((resolve, reject) => {
       signal.addEventListener('abort', () => reject(signal.reason), { once: true });
       worker.addEventListener('error', (event) =>
-        reject(new Error(event.message || 'the picture does not fit into memory')),
+        reject(new Error(event.message || t('the picture does not fit into memory'))),
       );
       worker.addEventListener('message', ({ data }: MessageEvent<FromPicture>) => {
         if (data.kind === 'file') resolve(data.file);

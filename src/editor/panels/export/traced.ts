@@ -1,5 +1,6 @@
 /** The path traced picture at any size, by a director of its own: the viewport's goes on as it was. */
 import type { Document } from '../../../scene/schema.ts';
+import { t } from '../../language/language.ts';
 import { changeOf } from '../../path-tracing/document-change.ts';
 import type { FromDirector, ToDirector, TracedPicture } from '../../path-tracing/messages.ts';
 import { originOf } from '../../path-tracing/origin.ts';
@@ -35,7 +36,7 @@ export async function renderTraced(options: TracedOptions): Promise<Traced> {
     return await new Promise<Traced>((resolve, reject) => {
       signal.addEventListener('abort', () => reject(signal.reason), { once: true });
       worker.addEventListener('error', (event) =>
-        reject(new Error(event.message || 'the path tracer did not start')),
+        reject(new Error(event.message || t('the path tracer did not start'))),
       );
       let picture: TracedPicture | null = null;
       worker.addEventListener('message', ({ data }: MessageEvent<FromDirector>) => {
@@ -47,7 +48,7 @@ export async function renderTraced(options: TracedOptions): Promise<Traced> {
           picture = data.picture;
           if (data.figures.reached !== null) send({ kind: 'exr', origin, denoised: false });
         } else if (data.kind === 'exr' && picture !== null) {
-          if (data.file === null) reject(new Error('the path tracer gave no picture'));
+          if (data.file === null) reject(new Error(t('the path tracer gave no picture')));
           else resolve({ picture, exr: data.file });
         }
       });
@@ -67,7 +68,7 @@ export async function renderTraced(options: TracedOptions): Promise<Traced> {
 }
 
 const PHASES = {
-  packing: 'Preparing the scene',
-  compiling: 'Compiling the path tracer',
-  tracing: 'Tracing paths',
+  packing: t('Preparing the scene'),
+  compiling: t('Compiling the path tracer'),
+  tracing: t('Tracing paths'),
 } as const;

@@ -3,6 +3,7 @@ import { codeSample } from '../../../analysis/fit/code-sample.ts';
 import type { Fit } from '../../../analysis/fit/types.ts';
 import { findModel } from '../../../scene/models.ts';
 import { attempt } from '../../commands.ts';
+import { t } from '../../language/language.ts';
 import type { Session } from '../../session.ts';
 import { h } from '../../ui/dom.ts';
 import { row, selectField } from '../../ui/fields.ts';
@@ -29,28 +30,28 @@ export function openFit(session: Session, id: string): void {
     : (models.find((name) => name === 'principled') ?? models[0] ?? '');
   let worker: Worker | null = null;
 
-  const targetField = selectField('Target', targets, (value) => {
+  const targetField = selectField(t('Target'), targets, (value) => {
     target = targets.find((one) => one.value === value);
   });
   targetField.show(target?.value ?? '');
   const modelField = selectField(
-    'Model that is fitted',
+    t('Model that is fitted'),
     models.map((name) => ({ value: name, label: name })),
     (name) => {
       model = name;
     },
   );
   modelField.show(model);
-  const progress = h('progress', { max: 1, value: 0, 'aria-label': 'Fitting', hidden: true });
+  const progress = h('progress', { max: 1, value: 0, 'aria-label': t('Fitting'), hidden: true });
   const result = h('div', { class: 'fit-result', role: 'status' });
-  const start = h('button', { type: 'button', class: 'text-button primary' }, 'Fit');
-  const close = h('button', { type: 'button', class: 'text-button' }, 'Close');
+  const start = h('button', { type: 'button', class: 'text-button primary' }, t('Fit'));
+  const close = h('button', { type: 'button', class: 'text-button' }, t('Close'));
   const panel = h(
     'section',
-    { class: 'fit-panel', 'aria-label': `Fit ${material.name}` },
-    h('h1', {}, `Fit ${material.name} to…`),
-    row({ label: 'Target', tip: 'What the material is to look like' }, targetField.element),
-    row({ label: 'Model', tip: 'The model whose parameters are searched' }, modelField.element),
+    { class: 'fit-panel', 'aria-label': t('Fit {name}', { name: material.name }) },
+    h('h1', {}, t('Fit {name} to…', { name: material.name })),
+    row({ label: t('Target'), tip: t('What the material is to look like') }, targetField.element),
+    row({ label: t('Model'), tip: t('The model whose parameters are searched') }, modelField.element),
     progress,
     result,
     h('div', { class: 'popup-actions' }, close, start),
@@ -60,7 +61,7 @@ export function openFit(session: Session, id: string): void {
     worker?.terminate();
     worker = null;
     progress.hidden = true;
-    start.textContent = 'Fit';
+    start.textContent = t('Fit');
     for (const field of [targetField, modelField]) field.element.disabled = false;
   };
   const run = (subject: Subject) => {
@@ -73,9 +74,9 @@ export function openFit(session: Session, id: string): void {
       if (data.kind === 'progress') progress.value = data.done;
       else {
         idle();
-        if (data.kind === 'error') toastError('Not fitted', new Error(data.message));
+        if (data.kind === 'error') toastError(t('Not fitted'), new Error(data.message));
         else
-          attempt('The fit was not put into the material', () => {
+          attempt(t('The fit was not put into the material'), () => {
             applyFit(session, id, data.fit, subject);
             result.replaceChildren(...resultOf(session, data.fit, data.spheres));
           });
@@ -83,13 +84,13 @@ export function openFit(session: Session, id: string): void {
     });
     worker.addEventListener('error', ({ message }) => {
       idle();
-      toastError('Not fitted', new Error(message));
+      toastError(t('Not fitted'), new Error(message));
     });
     worker.postMessage(job);
     result.replaceChildren();
     progress.value = 0;
     progress.hidden = false;
-    start.textContent = 'Cancel';
+    start.textContent = t('Cancel');
     for (const field of [targetField, modelField]) field.element.disabled = true;
   };
   start.addEventListener('click', () => {
@@ -119,8 +120,8 @@ function resultOf(
 ): Node[] {
   const copy = h(
     'button',
-    { type: 'button', class: 'text-button', tip: 'The material as a line of TypeScript for three.js' },
-    'Copy as code',
+    { type: 'button', class: 'text-button', tip: t('The material as a line of TypeScript for three.js') },
+    t('Copy as code'),
   );
   copy.addEventListener('click', async () => {
     const model = findModel(store.document, fit.model);
@@ -129,27 +130,33 @@ function resultOf(
       await navigator.clipboard.writeText(
         codeSample(model, fit.parameters, !store.document.models[fit.model]),
       );
-      toast('success', 'Copied');
+      toast('success', t('Copied'));
     } catch (error) {
-      toastError('Not copied', error);
+      toastError(t('Not copied'), error);
     }
   });
-  const figure = (x: number) => (x < 0.01 ? 'less than 0.01' : x.toPrecision(2));
+  const figure = (x: number) => (x < 0.01 ? t('less than 0.01') : x.toPrecision(2));
   const percent = (x: number) => `${figure(100 * x)} %`;
   return [
-    h('div', { class: 'fit-spheres' }, sphere(wanted, 'Target'), sphere(found, fit.model)),
+    h('div', { class: 'fit-spheres' }, sphere(wanted, t('Target')), sphere(found, fit.model)),
     h(
       'p',
       {
         class: 'fit-figures',
-        tip: 'Of lit spheres in Oklab: black and white are 100 apart, 1 can just be seen',
+        tip: t('Of lit spheres in Oklab: black and white are 100 apart, 1 can just be seen'),
       },
-      `Pictures differ by ${figure(fit.errors.look)} (the defaults by ${figure(fit.defaults.look)})`,
+      t('Pictures differ by {found} (the defaults by {defaults})', {
+        found: figure(fit.errors.look),
+        defaults: figure(fit.defaults.look),
+      }),
     ),
     h(
       'p',
-      { class: 'fit-figures', tip: 'Root mean square difference of cube roots, over all directions' },
-      `Cube roots by ${percent(fit.errors.cubeRoot / fit.size)} (${percent(fit.defaults.cubeRoot / fit.size)})`,
+      { class: 'fit-figures', tip: t('Root mean square difference of cube roots, over all directions') },
+      t('Cube roots by {found} ({defaults})', {
+        found: percent(fit.errors.cubeRoot / fit.size),
+        defaults: percent(fit.defaults.cubeRoot / fit.size),
+      }),
     ),
     ...(fit.loose.length ? [h('p', { class: 'hint' }, looseText(fit))] : []),
     copy,
@@ -160,8 +167,8 @@ function looseText({ loose }: Fit): string {
   const alone = loose.filter((names) => names.length === 1).flat();
   const together = loose.filter((names) => names.length > 1).map((names) => names.join(' with '));
   return [
-    ...(alone.length ? [`No visible effect here: ${alone.join(', ')}.`] : []),
-    ...(together.length ? [`Determined only together: ${together.join('; ')}.`] : []),
+    ...(alone.length ? [t('No visible effect here: {list}.', { list: alone.join(', ') })] : []),
+    ...(together.length ? [t('Determined only together: {list}.', { list: together.join('; ') })] : []),
   ].join(' ');
 }
 

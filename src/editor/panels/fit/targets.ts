@@ -1,6 +1,7 @@
 /** What a material can be fitted to: any material as it is, what is pinned in the bench, any model. */
 import { findModel, modelNames } from '../../../scene/models.ts';
 import type { Document } from '../../../scene/schema.ts';
+import { t } from '../../language/language.ts';
 import type { Choice } from '../../ui/fields.ts';
 import { ownModel, type Subject, subjectsOf } from '../bench/series.ts';
 import type { Pin } from '../bench/settings.ts';
@@ -12,19 +13,19 @@ export interface Target extends Choice {
 export function targetsFor(document: Document, own: string, pins: readonly Pin[]): Target[] {
   const materials = Object.entries(document.materials).flatMap(([id, { name }]): Target[] => {
     const [subject] = subjectsOf(document, { kind: 'materials', id }, []);
-    const label = id === own ? `${name}, as it is now` : name;
-    return subject ? [{ value: `material ${id}`, label, group: 'Materials', subject }] : [];
+    const label = id === own ? t('{name}, as it is now', { name }) : name;
+    return subject ? [{ value: `material ${id}`, label, group: t('Materials'), subject }] : [];
   });
   const pinned = pins.map((pin) => ({
     value: `pin ${pin.id}`,
     label: pin.name,
-    group: 'Pinned in the bench',
+    group: t('Pinned in the bench'),
     subject: pin,
   }));
   const models = modelNames(document).map((name) => ({
     value: `model ${name}`,
     label: name,
-    group: 'Models, with their defaults',
+    group: t('Models, with their defaults'),
     subject: { id: name, name, color: '', model: name, source: ownModel(document, name), parameters: {} },
   }));
   return [...materials, ...pinned, ...models];

@@ -1,6 +1,7 @@
 /** What the inspector says of the camera beside its fields: the lens's length, its exposure value, and a picker of focus. */
 import { ev100 } from '../../../color/exposure.ts';
 import { fieldOfView, focalLength } from '../../../scene/lens.ts';
+import { t } from '../../language/language.ts';
 import type { Session } from '../../session.ts';
 import { h } from '../../ui/dom.ts';
 import { row } from '../../ui/fields.ts';
@@ -13,7 +14,7 @@ export function cameraFields(session: Session): readonly [Bound, Bound, Bound] {
   const { store } = session;
   const camera = () => store.document.camera;
   const length = sliderField({
-    label: 'Focal length',
+    label: t('Focal length'),
     min: 8,
     max: 200,
     hardMin: 0.01,
@@ -24,7 +25,7 @@ export function cameraFields(session: Session): readonly [Bound, Bound, Bound] {
       const merge = gesture && `focal length ${gesture}`;
       tryEdit(
         store,
-        'Change focal length',
+        t('Change focal length'),
         (draft) => {
           draft.camera.fov = Math.min(170, Math.max(1, fov));
         },
@@ -32,13 +33,13 @@ export function cameraFields(session: Session): readonly [Bound, Bound, Bound] {
       );
     },
   });
-  const value = h('output', { class: 'readout', 'aria-label': 'Exposure value' });
-  const picker = h('button', { type: 'button', class: 'text-button' }, 'Pick in the picture');
+  const value = h('output', { class: 'readout', 'aria-label': t('Exposure value') });
+  const picker = h('button', { type: 'button', class: 'text-button' }, t('Pick in the picture'));
   picker.addEventListener('click', () => session.pickFocus());
   return [
     {
       element: row(
-        { label: 'Focal length', tip: 'Of the lens that throws the field of view onto the sensor' },
+        { label: t('Focal length'), tip: t('Of the lens that throws the field of view onto the sensor') },
         length.element,
       ),
       update: () => length.show(1000 * focalLength(camera())),
@@ -46,8 +47,8 @@ export function cameraFields(session: Session): readonly [Bound, Bound, Bound] {
     {
       element: row(
         {
-          label: 'Exposure value',
-          tip: 'EV at ISO 100 of f-number, shutter and ISO: exposes the picture where View says ‘camera’',
+          label: t('Exposure value'),
+          tip: t('EV at ISO 100 of f-number, shutter and ISO: exposes the picture where View says ‘camera’'),
         },
         value,
       ),
@@ -57,7 +58,7 @@ export function cameraFields(session: Session): readonly [Bound, Bound, Bound] {
     },
     {
       element: row(
-        { label: 'Focus', tip: 'Then click on what is to be in focus (Shift+F, Escape lets it be)' },
+        { label: t('Focus'), tip: t('Then click on what is to be in focus (Shift+F, Escape lets it be)') },
         picker,
       ),
       update: () => {},

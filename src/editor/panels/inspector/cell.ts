@@ -6,6 +6,7 @@
 import type { Path } from '../../../scene/error.ts';
 import type { Document } from '../../../scene/schema.ts';
 import type { DocumentStore } from '../../../scene/store.ts';
+import { t } from '../../language/language.ts';
 import type { Gesture } from '../../ui/gesture.ts';
 import { toastError } from '../../ui/toast.ts';
 
@@ -57,7 +58,7 @@ export function tryEdit(
     store.edit(label, recipe, merge ? { merge } : {});
     return true;
   } catch (error) {
-    toastError('That value is not possible', error);
+    toastError(t('That value is not possible'), error);
     return false;
   }
 }

@@ -1,5 +1,6 @@
 /** Fields generated from the schema: one function from a field's description to its control. */
 import { type FieldInfo, fieldInfo } from '../../../scene/fields.ts';
+import { t, translate } from '../../language/language.ts';
 import type { Rgb } from '../../ui/color.ts';
 import { colorField } from '../../ui/color-field.ts';
 import { row, selectField, switchField, textField } from '../../ui/fields.ts';
@@ -49,7 +50,7 @@ export function infoField(label: string, info: FieldInfo, cell: Cell, reset?: un
   const element = row(
     {
       label,
-      tip: `${info.description}${onReset ? '\nDouble click: default' : ''}`,
+      tip: `${translate(info.description)}${onReset ? `\n${t('Double click: default')}` : ''}`,
       ...(onReset && { onReset }),
     },
     control.element,
@@ -85,7 +86,7 @@ function controlFor(label: string, info: FieldInfo, cell: Cell): Bound | undefin
       return { element: field.element, update: () => field.show(cell.get() as Vector) };
     }
     case 'choice': {
-      const none = info.nullable ? [{ value: '', label: 'None' }] : [];
+      const none = info.nullable ? [{ value: '', label: t('None') }] : [];
       const choices = (info.choices ?? []).map((value) => ({ value, label: choiceLabel(value) }));
       const field = selectField(label, [...none, ...choices], (value) =>
         cell.set(value === '' ? null : value),
@@ -129,8 +130,13 @@ export function unitText(unit: string): string {
   return unit === 'nt' ? 'nits' : unit;
 }
 
-/** `emissiveIntensity` as "Emissive intensity". */
+/** `emissiveIntensity` as "Emissive intensity", in the page's language. */
 export function labelOf(name: string): string {
+  return translate(wordsOf(name));
+}
+
+/** The same in English, whatever the language: it names what it labels. */
+export function wordsOf(name: string): string {
   const words = name
     .replace(/[_-]+/g, ' ')
     .replace(/([a-z\d])([A-Z])/g, (_, a: string, b: string) => `${a} ${b.toLowerCase()}`);

@@ -5,6 +5,7 @@
 import { geometryNames } from '../../../scene/geometry-schema.ts';
 import type { Document } from '../../../scene/schema.ts';
 import { renameEntity } from '../../commands.ts';
+import { t, translate } from '../../language/language.ts';
 import type { Session } from '../../session.ts';
 import type { Selection } from '../../state.ts';
 import { h } from '../../ui/dom.ts';
@@ -19,11 +20,11 @@ import { scenePanel, sceneStructure } from './scene.ts';
 export function createInspector(session: Session): HTMLElement {
   const { store, state } = session;
   const kind = h('span', { class: 'inspector-kind' });
-  const name = textField('Name', (value) => {
+  const name = textField(t('Name'), (value) => {
     const { selection } = state.value;
     if (selection) renameEntity(store, selection.kind, selection.id, value);
     else {
-      tryEdit(store, 'Rename the scene', (draft) => {
+      tryEdit(store, t('Rename the scene'), (draft) => {
         draft.name = value;
       });
     }
@@ -31,7 +32,7 @@ export function createInspector(session: Session): HTMLElement {
   const body = h('div', { class: 'inspector-body' });
   const element = h(
     'aside',
-    { class: 'inspector', 'aria-label': 'Inspector' },
+    { class: 'inspector', 'aria-label': t('Inspector') },
     h('header', { class: 'inspector-header' }, kind, name.element),
     body,
   );
@@ -50,7 +51,7 @@ export function createInspector(session: Session): HTMLElement {
       body.replaceChildren(panel.element);
       body.scrollTop = scroll;
     }
-    kind.textContent = selection ? kindName(document, selection) : 'Scene';
+    kind.textContent = selection ? kindName(document, selection) : t('Scene');
     name.show(selection ? (document[selection.kind][selection.id]?.name ?? '') : document.name);
     panel.update();
   };
@@ -87,7 +88,7 @@ function panelFor(session: Session, selection: Selection): InspectorPanel {
 }
 
 function kindName(document: Document, { kind, id }: NonNullable<Selection>): string {
-  if (kind === 'lights') return `${document.lights[id]?.type ?? ''} light`;
+  if (kind === 'lights') return t('{value} light', { value: document.lights[id]?.type ?? '' });
   const object = kind === 'objects' ? document.objects[id] : undefined;
-  return object ? geometryNames[object.geometry.type] : 'Material';
+  return object ? translate(geometryNames[object.geometry.type]) : t('Material');
 }

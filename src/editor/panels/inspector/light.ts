@@ -4,6 +4,7 @@ import { setLightType } from '../../../scene/commands.ts';
 import type { FieldInfo } from '../../../scene/fields.ts';
 import { type LightType, lightDefaults, lightShapes, lightTypes } from '../../../scene/light-schema.ts';
 import { attempt } from '../../commands.ts';
+import { t, translate } from '../../language/language.ts';
 import type { Session } from '../../session.ts';
 import { h } from '../../ui/dom.ts';
 import { row, selectField, switchField } from '../../ui/fields.ts';
@@ -28,7 +29,8 @@ export function lightPanel(session: Session, id: string): InspectorPanel {
     bound.push(typeChoice(session, id));
     bound.push(
       ...shapeFields(lightShapes[light.type], {
-        cell: (name, label) => pathCell(store, ['lights', id, name], `Change ${label.toLowerCase()}`),
+        cell: (name, label) =>
+          pathCell(store, ['lights', id, name], t('Change {label}', { label: label.toLowerCase() })),
         defaults: { ...lightDefaults[light.type] },
         skip: ['name'],
         custom(name, info, cell) {
@@ -44,7 +46,7 @@ export function lightPanel(session: Session, id: string): InspectorPanel {
       'div',
       {},
       section(
-        title,
+        translate(title),
         state.value.folded.includes(title),
         (folded) => state.fold(title, folded),
         ...bound.map((field) => field.element),
@@ -58,11 +60,11 @@ export function lightPanel(session: Session, id: string): InspectorPanel {
 
 function typeChoice({ store }: Session, id: string): Bound {
   const choices = lightTypes.map((value) => ({ value, label: choiceLabel(value) }));
-  const field = selectField('Type', choices, (value) => {
-    attempt('The type stays as it was', () => setLightType(store, id, value as LightType));
+  const field = selectField(t('Type'), choices, (value) => {
+    attempt(t('The type stays as it was'), () => setLightType(store, id, value as LightType));
   });
   return {
-    element: row({ label: 'Type', tip: 'Another type of light in the same place' }, field.element),
+    element: row({ label: t('Type'), tip: t('Another type of light in the same place') }, field.element),
     update: () => field.show(store.document.lights[id]?.type ?? ''),
   };
 }
@@ -73,7 +75,7 @@ const FIRST_TEMPERATURE = 6500;
 /** A number that may be switched off. */
 function temperatureRow(label: string, info: FieldInfo, cell: Cell): Bound {
   const [min, max] = info.slider ?? [info.min ?? 0, info.max ?? 1];
-  const toggle = switchField(`${label} on`, (on) => cell.set(on ? FIRST_TEMPERATURE : null));
+  const toggle = switchField(t('{label} on', { label }), (on) => cell.set(on ? FIRST_TEMPERATURE : null));
   const slider = sliderField({
     label,
     min,
@@ -85,7 +87,7 @@ function temperatureRow(label: string, info: FieldInfo, cell: Cell): Bound {
   });
   return {
     element: row(
-      { label, tip: info.description, onReset: () => cell.set(null) },
+      { label, tip: translate(info.description), onReset: () => cell.set(null) },
       h('div', { class: 'switched' }, toggle.element, slider.element),
     ),
     update() {

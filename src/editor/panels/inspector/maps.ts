@@ -1,6 +1,7 @@
 /** The maps that every material has, whatever its model: one row each, from the schema. */
 import { fieldInfo } from '../../../scene/fields.ts';
 import { materialMaps, materialShape, scaledTextureShape } from '../../../scene/material-schema.ts';
+import { t, translate } from '../../language/language.ts';
 import type { Session } from '../../session.ts';
 import { row } from '../../ui/fields.ts';
 import { sliderField } from '../../ui/slider-field.ts';
@@ -16,10 +17,10 @@ export function mapRows(session: Session, id: string): Bound[] {
     const cell = pathCell(
       session.store,
       ['materials', id, map, 'scale'],
-      `Change ${label.toLowerCase()} strength`,
+      t('Change {label} strength', { label: label.toLowerCase() }),
     );
     const slider = sliderField({
-      label: `${label} strength`,
+      label: t('{label} strength', { label }),
       min,
       max,
       hardMin: scaleInfo?.min,
@@ -28,7 +29,7 @@ export function mapRows(session: Session, id: string): Bound[] {
     });
     const slot = textureSlot(session, id, { map });
     const element = row(
-      { label, tip: fieldInfo(materialShape[map])?.description, after: slot.element },
+      { label, tip: translate(fieldInfo(materialShape[map])?.description ?? ''), after: slot.element },
       slider.element,
     );
     return {

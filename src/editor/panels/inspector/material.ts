@@ -8,6 +8,7 @@ import { materialDefaults, materialShape } from '../../../scene/material-schema.
 import { findModel, modelNames, modelOrigin } from '../../../scene/models.ts';
 import type { Document } from '../../../scene/schema.ts';
 import { attempt, editSource } from '../../commands.ts';
+import { t, translate } from '../../language/language.ts';
 import type { Session } from '../../session.ts';
 import { colorField } from '../../ui/color-field.ts';
 import { h } from '../../ui/dom.ts';
@@ -36,7 +37,7 @@ export function materialPanel(session: Session, id: string): InspectorPanel {
   const material = store.document.materials[id];
   const model = material && findModel(store.document, material.model);
   const cellOf = (name: string, label: string) =>
-    pathCell(store, ['materials', id, name], `Change ${label.toLowerCase()}`);
+    pathCell(store, ['materials', id, name], t('Change {label}', { label: label.toLowerCase() }));
   const bound: Bound[] = [];
   const scatters = model !== undefined && model.file.declarations.multipleScattering !== null;
 
@@ -58,12 +59,17 @@ export function materialPanel(session: Session, id: string): InspectorPanel {
   const manual = h(
     'div',
     { class: 'model-about' },
-    h('p', { class: 'hint model-title' }, model?.file.title ?? ''),
+    h('p', { class: 'hint model-title' }, translate(model?.file.title ?? '')),
     editSourceButton(session),
     fitButton(session, id),
   );
   const fold = (title: string, ...children: Node[]) =>
-    section(title, state.value.folded.includes(title), (folded) => state.fold(title, folded), ...children);
+    section(
+      translate(title),
+      state.value.folded.includes(title),
+      (folded) => state.fold(title, folded),
+      ...children,
+    );
   return {
     element: h(
       'div',
@@ -84,9 +90,9 @@ function editSourceButton({ store, state }: Session): HTMLElement {
     {
       type: 'button',
       class: 'text-button',
-      tip: 'Edit the source of the model; one that ships is copied into the scene first (Ctrl+E)',
+      tip: t('Edit the source of the model; one that ships is copied into the scene first (Ctrl+E)'),
     },
-    'Edit source',
+    t('Edit source'),
   );
   button.addEventListener('click', () => editSource(store, state));
   return button;
@@ -98,9 +104,9 @@ function fitButton(session: Session, id: string): HTMLElement {
     {
       type: 'button',
       class: 'text-button',
-      tip: 'Find parameters that reproduce measurements or another material',
+      tip: t('Find parameters that reproduce measurements or another material'),
     },
-    'Fit to…',
+    t('Fit to…'),
   );
   button.addEventListener('click', () => openFit(session, id));
   return button;
@@ -108,14 +114,14 @@ function fitButton(session: Session, id: string): HTMLElement {
 
 function modelChoice(session: Session, id: string): Bound {
   const { store } = session;
-  const field = selectField('Model', [], (name) => {
-    attempt('The model stays as it was', () => setMaterialModel(store, id, name));
+  const field = selectField(t('Model'), [], (name) => {
+    attempt(t('The model stays as it was'), () => setMaterialModel(store, id, name));
   });
   return {
     element: row(
       {
-        label: 'Model',
-        tip: 'The BRDF: a shipped one, or a .brdf or measured file dropped on the page',
+        label: t('Model'),
+        tip: t('The BRDF: a shipped one, or a .brdf or measured file dropped on the page'),
       },
       field.element,
     ),
@@ -125,7 +131,7 @@ function modelChoice(session: Session, id: string): Bound {
         modelNames(document).map((name) => ({
           value: name,
           label: name,
-          group: Object.hasOwn(document.models, name) ? 'In this scene' : 'Shipped',
+          group: Object.hasOwn(document.models, name) ? t('In this scene') : t('Shipped'),
         })),
       );
       field.show(document.materials[id]?.model ?? '');
@@ -139,7 +145,7 @@ function parameterRow(session: Session, id: string, parameter: Parameter): Bound
   const cell = pathCell(
     store,
     ['materials', id, 'parameters', parameter.name],
-    `Change ${label.toLowerCase()}`,
+    t('Change {label}', { label: label.toLowerCase() }),
   );
   const control = parameterControl(parameter, label, cell);
   const slot = parameter.type === 'bool' ? null : textureSlot(session, id, { parameter });
@@ -191,8 +197,11 @@ function parameterControl(parameter: Parameter, label: string, cell: Cell): Boun
 }
 
 function parameterTip(parameter: Parameter): string {
-  const range = parameter.type === 'float' ? `${parameter.min} to ${parameter.max}` : '';
-  const about = [parameter.description, range && `Range ${range}`].filter(Boolean).join('\n');
+  const range =
+    parameter.type === 'float' ? t('{min} to {max}', { min: parameter.min, max: parameter.max }) : '';
+  const about = [translate(parameter.description), range && t('Range {range}', { range })]
+    .filter(Boolean)
+    .join('\n');
   const value = Array.isArray(parameter.default) ? parameter.default.join(' ') : String(parameter.default);
-  return `${about}${about ? '\n' : ''}Double click: default (${value})`;
+  return `${about}${about ? '\n' : ''}${t('Double click: default ({value})', { value })}`;
 }

@@ -11,6 +11,7 @@ import {
 import { assignMaterial, putMaterial } from '../../../scene/material-commands.ts';
 import { type Document, objectDefaults, objectShape } from '../../../scene/schema.ts';
 import { attempt } from '../../commands.ts';
+import { t, translate } from '../../language/language.ts';
 import type { Session } from '../../session.ts';
 import { h } from '../../ui/dom.ts';
 import { row, selectField } from '../../ui/fields.ts';
@@ -30,14 +31,19 @@ export function objectPanel(session: Session, id: string): InspectorPanel {
   const object = store.document.objects[id];
   const geometry = object?.geometry;
   const placement = shapeFields(objectShape, {
-    cell: (name, label) => pathCell(store, ['objects', id, name], `Change ${label.toLowerCase()}`),
+    cell: (name, label) =>
+      pathCell(store, ['objects', id, name], t('Change {label}', { label: label.toLowerCase() })),
     defaults: objectDefaults,
     skip: ['name'],
   });
   const shape = geometry
     ? shapeFields(geometryShapes[geometry.type], {
         cell: (name, label) =>
-          pathCell(store, ['objects', id, 'geometry', name], `Change ${label.toLowerCase()}`),
+          pathCell(
+            store,
+            ['objects', id, 'geometry', name],
+            t('Change {label}', { label: label.toLowerCase() }),
+          ),
         defaults: geometry.type === 'gltf' ? undefined : { ...geometryDefaults[geometry.type] },
       })
     : [];
@@ -46,7 +52,12 @@ export function objectPanel(session: Session, id: string): InspectorPanel {
   const bound: Bound[] = [...placement, ...shape, type, assigned];
   const material = object ? materialPanel(session, object.material) : null;
   const fold = (title: string, ...children: Node[]) =>
-    section(title, state.value.folded.includes(title), (folded) => state.fold(title, folded), ...children);
+    section(
+      translate(title),
+      state.value.folded.includes(title),
+      (folded) => state.fold(title, folded),
+      ...children,
+    );
   return {
     element: h(
       'div',
@@ -63,15 +74,15 @@ export function objectPanel(session: Session, id: string): InspectorPanel {
 }
 
 function geometryChoice({ store }: Session, id: string): Bound {
-  const choices = addableGeometries.map((value) => ({ value, label: geometryNames[value] }));
-  const field = selectField('Shape', choices, (value) => {
-    attempt('The shape stays as it was', () => setGeometryType(store, id, value as AddableGeometry));
+  const choices = addableGeometries.map((value) => ({ value, label: translate(geometryNames[value]) }));
+  const field = selectField(t('Shape'), choices, (value) => {
+    attempt(t('The shape stays as it was'), () => setGeometryType(store, id, value as AddableGeometry));
   });
   return {
-    element: row({ label: 'Shape', tip: 'Another shape in the same place' }, field.element),
+    element: row({ label: t('Shape'), tip: t('Another shape in the same place') }, field.element),
     update() {
       const type = store.document.objects[id]?.geometry.type ?? 'sphere';
-      const imported = type === 'gltf' ? [{ value: type, label: geometryNames[type] }] : [];
+      const imported = type === 'gltf' ? [{ value: type, label: translate(geometryNames[type]) }] : [];
       field.setChoices([...imported, ...choices]);
       field.show(type);
     },
@@ -81,23 +92,23 @@ function geometryChoice({ store }: Session, id: string): Bound {
 const NEW_MATERIAL = '+new';
 
 function materialChoice({ store }: Session, id: string): Bound {
-  const field = selectField('Material', [], (value) => {
+  const field = selectField(t('Material'), [], (value) => {
     if (value !== NEW_MATERIAL) {
-      attempt('The material stays as it was', () => assignMaterial(store, [id], value));
+      attempt(t('The material stays as it was'), () => assignMaterial(store, [id], value));
       return;
     }
-    tryEdit(store, 'New material', (draft) => {
+    tryEdit(store, t('New material'), (draft) => {
       const object = draft.objects[id];
       if (object) object.material = putMaterial(draft, { name: object.name });
     });
   });
   return {
-    element: row({ label: 'Material', tip: 'Objects may share a material' }, field.element),
+    element: row({ label: t('Material'), tip: t('Objects may share a material') }, field.element),
     update() {
       const { materials, objects } = store.document;
       field.setChoices([
         ...Object.entries(materials).map(([value, material]) => ({ value, label: material.name })),
-        { value: NEW_MATERIAL, label: 'New material' },
+        { value: NEW_MATERIAL, label: t('New material') },
       ]);
       field.show(objects[id]?.material ?? '');
     },

@@ -13,6 +13,7 @@ import {
 } from '../../../lights/units.ts';
 import type { FieldInfo } from '../../../scene/fields.ts';
 import { type LightOf, type LightType, lightDefaults } from '../../../scene/light-schema.ts';
+import { t, translate } from '../../language/language.ts';
 import type { Session } from '../../session.ts';
 import { h } from '../../ui/dom.ts';
 import { row, selectField } from '../../ui/fields.ts';
@@ -41,10 +42,10 @@ const stored = (unit: string, tip: string) => ({
 
 /** Light of the same luminance from everywhere above a surface gives it pi times as many lux. */
 const surround = [
-  stored('nits', 'Luminance'),
+  stored('nits', t('Luminance')),
   {
     unit: 'lx',
-    tip: 'Illuminance of a surface that nothing shades',
+    tip: t('Illuminance of a surface that nothing shades'),
     fromStored: (value: number) => Math.PI * value,
     toStored: (value: number) => value / Math.PI,
   },
@@ -61,14 +62,14 @@ function atTarget(light: LightOf<'spot'>): number {
 const PHOTOMETRIC: { readonly [T in LightType]: Photometric<T> } = {
   ambient: { field: 'luminance', units: surround },
   hemisphere: { field: 'luminance', units: surround },
-  directional: { field: 'illuminance', units: [stored('lx', 'Illuminance')] },
+  directional: { field: 'illuminance', units: [stored('lx', t('Illuminance'))] },
   point: {
     field: 'intensity',
     units: [
-      stored('cd', 'Luminous intensity'),
+      stored('cd', t('Luminous intensity')),
       {
         unit: 'lm',
-        tip: 'Luminous flux, into all directions',
+        tip: t('Luminous flux, into all directions'),
         fromStored: pointFlux,
         toStored: pointIntensity,
       },
@@ -77,16 +78,16 @@ const PHOTOMETRIC: { readonly [T in LightType]: Photometric<T> } = {
   spot: {
     field: 'intensity',
     units: [
-      stored('cd', 'Luminous intensity along the axis'),
+      stored('cd', t('Luminous intensity along the axis')),
       {
         unit: 'lm',
-        tip: 'Luminous flux of the cone',
+        tip: t('Luminous flux of the cone'),
         fromStored: (value, light) => spotFlux(value, radians(light.cutoff), light.exponent),
         toStored: (value, light) => spotIntensity(value, radians(light.cutoff), light.exponent),
       },
       {
         unit: 'lx',
-        tip: 'Illuminance at the target, facing the light',
+        tip: t('Illuminance at the target, facing the light'),
         fromStored: (value, light) => value * atTarget(light),
         toStored: (value, light) => value / atTarget(light),
       },
@@ -95,16 +96,16 @@ const PHOTOMETRIC: { readonly [T in LightType]: Photometric<T> } = {
   rectangle: {
     field: 'luminance',
     units: [
-      stored('nits', 'Luminance of the lit face'),
+      stored('nits', t('Luminance of the lit face')),
       {
         unit: 'lm',
-        tip: 'Luminous flux of the lit face',
+        tip: t('Luminous flux of the lit face'),
         fromStored: (value, light) => surfaceFlux(value, area(light)),
         toStored: (value, light) => surfaceLuminance(value, area(light)),
       },
       {
         unit: 'cd',
-        tip: 'Luminous intensity straight ahead',
+        tip: t('Luminous intensity straight ahead'),
         fromStored: (value, light) => value * area(light),
         toStored: (value, light) => value / area(light),
       },
@@ -150,7 +151,7 @@ export function photometricRow<T extends LightType>(
     },
   });
   const choices = units.map(({ unit: value }) => ({ value, label: value }));
-  const choice = selectField(`Unit of ${label.toLowerCase()}`, choices, (value) =>
+  const choice = selectField(t('Unit of {label}', { label: label.toLowerCase() }), choices, (value) =>
     state.set({ units: { ...state.value.units, [type]: value } }),
   );
   choice.show(name);
@@ -159,7 +160,7 @@ export function photometricRow<T extends LightType>(
     element: row(
       {
         label,
-        tip: `${unit?.tip ?? info.description}\nDouble click: default`,
+        tip: `${unit?.tip ?? translate(info.description)}\n${t('Double click: default')}`,
         onReset: () => cell.set(fallback[field]),
       },
       h('div', { class: 'with-unit' }, slider.element, choice.element),

@@ -7,6 +7,7 @@ import {
   presets,
 } from '../../../scene/effect-presets.ts';
 import { attempt } from '../../commands.ts';
+import { t, translate } from '../../language/language.ts';
 import type { Session } from '../../session.ts';
 import { row, selectField } from '../../ui/fields.ts';
 import type { MenuEntry } from '../../ui/menu.ts';
@@ -15,19 +16,21 @@ import { type Bound, choiceLabel } from './field.ts';
 const CUSTOM = 'custom';
 
 const set = ({ store }: Session, name: PresetName) =>
-  attempt('The effects are as they were', () => applyPreset(store, name));
+  attempt(t('The effects are as they were'), () => applyPreset(store, name));
 
 export function presetChoice(session: Session): Bound {
   const { store } = session;
   const choices = presetNames.map((name) => ({ value: name as string, label: choiceLabel(name) }));
-  const field = selectField('Preset', choices, (value) => set(session, value as PresetName));
-  const tip = presetNames.map((name) => `${choiceLabel(name)}: ${presets[name].description}`).join('\n');
+  const field = selectField(t('Preset'), choices, (value) => set(session, value as PresetName));
+  const tip = presetNames
+    .map((name) => `${choiceLabel(name)}: ${translate(presets[name].description)}`)
+    .join('\n');
   return {
-    element: row({ label: 'Preset', tip }, field.element),
+    element: row({ label: t('Preset'), tip }, field.element),
     update() {
       const name = presetOf(store.document.effects);
       // Only a state, nothing that could be chosen.
-      field.setChoices(name === null ? [{ value: CUSTOM, label: 'Custom' }, ...choices] : choices);
+      field.setChoices(name === null ? [{ value: CUSTOM, label: t('Custom') }, ...choices] : choices);
       field.show(name ?? CUSTOM);
     },
   };
@@ -38,7 +41,7 @@ export function presetEntries(session: Session): MenuEntry[] {
   const present = presetOf(session.store.document.effects);
   return presetNames.map((name) => ({
     label: choiceLabel(name),
-    tip: presets[name].description,
+    tip: translate(presets[name].description),
     ...(name === present && { icon: 'check' as const }),
     run: () => void set(session, name),
   }));

@@ -19,13 +19,14 @@ import {
   viewShape,
 } from '../../../scene/stage-schema.ts';
 import { ENVIRONMENT_ACCEPT, isEnvironmentAsset } from '../../io/files.ts';
+import { t, translate } from '../../language/language.ts';
 import type { Session } from '../../session.ts';
 import { h } from '../../ui/dom.ts';
 import { row, selectField } from '../../ui/fields.ts';
 import { section } from '../../ui/section.ts';
 import { cameraFields } from './camera.ts';
 import { pathCell, tryEdit } from './cell.ts';
-import { type Bound, choiceLabel, labelOf, shapeFields } from './field.ts';
+import { type Bound, choiceLabel, labelOf, shapeFields, wordsOf } from './field.ts';
 import { withGpuTime } from './gpu-time.ts';
 import type { InspectorPanel } from './panel.ts';
 import { presetChoice } from './preset.ts';
@@ -47,7 +48,8 @@ export function scenePanel(session: Session): InspectorPanel {
     skip: string[] = [],
   ) => {
     const fields = shapeFields(shape, {
-      cell: (field, label) => pathCell(store, [...name.split('.'), field], `Change ${label.toLowerCase()}`),
+      cell: (field, label) =>
+        pathCell(store, [...name.split('.'), field], t('Change {label}', { label: label.toLowerCase() })),
       defaults: { ...defaults },
       skip,
     });
@@ -59,7 +61,12 @@ export function scenePanel(session: Session): InspectorPanel {
     return field.element;
   };
   const fold = (title: string, ...children: Node[]) =>
-    section(title, state.value.folded.includes(title), (folded) => state.fold(title, folded), ...children);
+    section(
+      translate(title),
+      state.value.folded.includes(title),
+      (folded) => state.fold(title, folded),
+      ...children,
+    );
 
   /** The angle is what is kept; photographers know it as the length of a lens before a sensor. */
   const cameraRows = () => {
@@ -115,14 +122,14 @@ export function scenePanel(session: Session): InspectorPanel {
         withGpuTime(
           session,
           name,
-          fold(labelOf(name), ...part(`effects.${name}`, effectShapes[name], effectsDefaults[name])),
+          fold(wordsOf(name), ...part(`effects.${name}`, effectShapes[name], effectsDefaults[name])),
         ),
       ),
       fold('Path tracing', ...part('pathTracing', pathTracingShape, pathTracingDefaults)),
       fold('Near and far', ...part('camera', { near, far }, cameraDefaults)),
     ),
     update() {
-      description.textContent = store.document.description;
+      description.textContent = translate(store.document.description);
       description.hidden = store.document.description === '';
       for (const field of bound) field.update();
     },
@@ -135,12 +142,12 @@ const OPEN_FILE = 'open';
 function environmentChoice(session: Session): Bound {
   const { store } = session;
   const set = (source: EnvironmentSource) =>
-    tryEdit(store, 'Change environment', (draft) => {
+    tryEdit(store, t('Change environment'), (draft) => {
       draft.environment.source = source;
     });
   const open = async () =>
     session.openFiles(await session.chooseFiles(ENVIRONMENT_ACCEPT), { environment: true });
-  const field = selectField('Environment', [], (value) => {
+  const field = selectField(t('Environment'), [], (value) => {
     const [type, name = ''] = value.split(':');
     if (type === OPEN_FILE) {
       update();
@@ -158,33 +165,33 @@ function environmentChoice(session: Session): Bound {
       ([id, asset]) => isEnvironmentAsset(asset) || isShown(id),
     );
     field.setChoices([
-      { value: 'none', label: 'None' },
-      { value: 'constant', label: 'Constant' },
-      ...files.map(([id, asset]) => ({ value: `hdr:${id}`, label: asset.name, group: 'In this scene' })),
+      { value: 'none', label: t('None') },
+      { value: 'constant', label: t('Constant') },
+      ...files.map(([id, asset]) => ({ value: `hdr:${id}`, label: asset.name, group: t('In this scene') })),
       ...environmentPresets.map((name) => ({
         value: `preset:${name}`,
         label: choiceLabel(name),
-        group: 'Shipped',
+        group: t('Shipped'),
       })),
-      { value: OPEN_FILE, label: 'Open HDR, EXR or image…' },
+      { value: OPEN_FILE, label: t('Open HDR, EXR or image…') },
     ]);
     const name = source.type === 'hdr' ? source.asset : source.type === 'preset' ? source.name : null;
     field.show(name === null ? source.type : `${source.type}:${name}`);
   };
-  return { element: row({ label: 'Source', tip: 'Light from all around' }, field.element), update };
+  return { element: row({ label: t('Source'), tip: t('Light from all around') }, field.element), update };
 }
 
 function backgroundChoice({ store }: Session): Bound {
   const choices = Object.keys(backgroundShapes).map((value) => ({ value, label: choiceLabel(value) }));
-  const field = selectField('Background', choices, (value) => {
+  const field = selectField(t('Background'), choices, (value) => {
     const next: Background =
       value === 'environment' ? { type: 'environment', blur: 0 } : structuredClone(backgroundDefault);
-    tryEdit(store, 'Change background', (draft) => {
+    tryEdit(store, t('Change background'), (draft) => {
       draft.background = next;
     });
   });
   return {
-    element: row({ label: 'Shows', tip: 'What is seen behind the objects' }, field.element),
+    element: row({ label: t('Shows'), tip: t('What is seen behind the objects') }, field.element),
     update: () => field.show(store.document.background.type),
   };
 }

@@ -6,14 +6,15 @@ import { substances } from '../../../analysis/substances/table.ts';
 import type { Parameter } from '../../../brdf/model.ts';
 import { setParameters } from '../../../scene/material-commands.ts';
 import { attempt } from '../../commands.ts';
+import { t, translate } from '../../language/language.ts';
 import type { Session } from '../../session.ts';
 import { type Choice, row, selectField } from '../../ui/fields.ts';
 import { toast } from '../../ui/toast.ts';
 import type { Bound } from './field.ts';
 
 const GROUPS: Readonly<Record<Substance['kind'], string>> = {
-  conductor: 'Metals and semiconductors',
-  dielectric: 'Glasses, crystals, plastics, liquids',
+  conductor: t('Metals and semiconductors'),
+  dielectric: t('Glasses, crystals, plastics, liquids'),
 };
 
 /** Null for a model that has no parameters for any. Shows the substance whose values the material has. */
@@ -26,24 +27,24 @@ export function substanceRow({ store }: Session, id: string, parameters: readonl
   if (known.size === 0) return null;
   const choices: Choice[] = [...known].map(([value, { substance }]) => ({
     value,
-    label: substance.title,
+    label: translate(substance.title),
     group: GROUPS[substance.kind],
   }));
-  const field = selectField('Substance', [{ value: '', label: 'Own values' }, ...choices], (name) => {
+  const field = selectField(t('Substance'), [{ value: '', label: t('Own values') }, ...choices], (name) => {
     const chosen = known.get(name);
     if (chosen) apply(chosen.substance, chosen.found);
     update();
   });
   const apply = ({ title }: Substance, { values, outside }: SubstanceParameters) => {
-    attempt('The material stays as it was', () => setParameters(store, id, title, values));
-    const cut = Object.entries(outside).map(
-      ([name, value]) => `${name} would have to be ${value.toFixed(2)}`,
+    attempt(t('The material stays as it was'), () => setParameters(store, id, title, values));
+    const cut = Object.entries(outside).map(([name, value]) =>
+      t('{name} would have to be {value}', { name, value: value.toFixed(2) }),
     );
     if (cut.length > 0)
       toast(
         'info',
-        `${title}: more than this model can do`,
-        `It got the nearest that there is; ${cut.join(', ')}.`,
+        t('{title}: more than this model can do', { title: translate(title) }),
+        t('It got the nearest that there is; {list}.', { list: cut.join(', ') }),
       );
   };
   const update = () => {
@@ -53,8 +54,8 @@ export function substanceRow({ store }: Session, id: string, parameters: readonl
     );
     field.show(match?.[0] ?? '');
   };
-  const tip =
-    'Reflect like a real substance, by its measured index of refraction: metals get their colour, others the ' +
-    'strength of their gloss';
-  return { element: row({ label: 'Substance', tip }, field.element), update };
+  const tip = t(
+    'Reflect like a real substance, by its measured index of refraction: metals get their colour, others the strength of their gloss',
+  );
+  return { element: row({ label: t('Substance'), tip }, field.element), update };
 }

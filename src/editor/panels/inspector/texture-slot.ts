@@ -12,6 +12,7 @@ import {
 } from '../../../scene/material-schema.ts';
 import type { Document, Material } from '../../../scene/schema.ts';
 import { assetUrl, IMAGE_ACCEPT, isImageFile, readAsset } from '../../io/files.ts';
+import { t } from '../../language/language.ts';
 import type { Session } from '../../session.ts';
 import { h } from '../../ui/dom.ts';
 import { icon } from '../../ui/icons.ts';
@@ -27,7 +28,7 @@ export function textureSlot(session: Session, id: string, place: SlotPlace): Bou
   const label = labelOf('map' in place ? place.map : place.parameter.name);
   const button = h(
     'button',
-    { type: 'button', class: 'texture-slot', 'aria-label': `Texture of ${label}` },
+    { type: 'button', class: 'texture-slot', 'aria-label': t('Texture of {label}', { label }) },
     icon('imageAdd'),
   );
 
@@ -37,7 +38,7 @@ export function textureSlot(session: Session, id: string, place: SlotPlace): Bou
       const asset = await readAsset(file);
       // What cannot be decoded must not get into the document.
       (await createImageBitmap(file)).close();
-      tryEdit(store, `Texture of ${label.toLowerCase()}`, (draft) => {
+      tryEdit(store, t('Texture of {label}', { label: label.toLowerCase() }), (draft) => {
         const target = draft.materials[id];
         if (!target) return;
         const assetId = keepAsset(draft, asset);
@@ -48,7 +49,7 @@ export function textureSlot(session: Session, id: string, place: SlotPlace): Bou
         });
       });
     } catch (error) {
-      toastError(`${file.name} could not be read`, error);
+      toastError(t('{file} could not be read', { file: file.name }), error);
     }
   };
   const choose = async () => {
@@ -56,7 +57,7 @@ export function textureSlot(session: Session, id: string, place: SlotPlace): Bou
     if (file) await put(file);
   };
   const clear = () =>
-    tryEdit(store, `Remove texture of ${label.toLowerCase()}`, (draft) => {
+    tryEdit(store, t('Remove texture of {label}', { label: label.toLowerCase() }), (draft) => {
       const target = draft.materials[id];
       if (target) writeSlot(target, place, null);
     });
@@ -79,7 +80,11 @@ export function textureSlot(session: Session, id: string, place: SlotPlace): Bou
     const file = event.dataTransfer?.files[0];
     if (file && isImageFile(file)) void put(file);
     else if (file)
-      toast('error', `${file.name} is not an image`, 'Drop a PNG, JPEG, WebP or AVIF file here.');
+      toast(
+        'error',
+        t('{file} is not an image', { file: file.name }),
+        t('Drop a PNG, JPEG, WebP or AVIF file here.'),
+      );
   });
 
   let shown: TextureRef | null | undefined;
@@ -91,8 +96,10 @@ export function textureSlot(session: Session, id: string, place: SlotPlace): Bou
       shown = texture;
       button.classList.toggle('filled', texture !== null);
       button.dataset.tip = texture
-        ? `${store.document.assets[texture.asset]?.name ?? texture.asset}\nClick to lay it out, replace or remove it`
-        : `Add a texture to ${label.toLowerCase()}: click, or drop an image here`;
+        ? t('{name}\nClick to lay it out, replace or remove it', {
+            name: store.document.assets[texture.asset]?.name ?? texture.asset,
+          })
+        : t('Add a texture to {label}: click, or drop an image here', { label: label.toLowerCase() });
       const url = texture && assetUrl(store.document, texture.asset);
       button.replaceChildren(url ? h('img', { src: url, alt: '' }) : icon(texture ? 'image' : 'imageAdd'));
     },
@@ -113,24 +120,28 @@ function openTexturePopup(
   const takesChannel = 'parameter' in place && place.parameter.type === 'float';
   const fields = shapeFields(scaledTextureShape, {
     cell: (name, field) =>
-      pathCell(store, [...path, name], `Change ${label.toLowerCase()} ${field.toLowerCase()}`),
+      pathCell(
+        store,
+        [...path, name],
+        t('Change {label} {field}', { label: label.toLowerCase(), field: field.toLowerCase() }),
+      ),
     skip: ['asset', 'texture', 'scale', ...(takesChannel ? [] : ['channel'])],
   });
   const update = () => {
     if (readSlot(store.document.materials[id], place)) for (const field of fields) field.update();
     else close();
   };
-  const replace = h('button', { type: 'button', class: 'text-button' }, 'Replace…');
-  const remove = h('button', { type: 'button', class: 'text-button' }, 'Remove');
+  const replace = h('button', { type: 'button', class: 'text-button' }, t('Replace…'));
+  const remove = h('button', { type: 'button', class: 'text-button' }, t('Remove'));
   const content = h(
     'div',
     { class: 'texture-popup' },
-    h('strong', {}, `${label} texture`),
+    h('strong', {}, t('{label} texture', { label })),
     ...fields.map((field) => field.element),
     h('div', { class: 'popup-actions' }, replace, remove),
   );
   const unsubscribe = store.subscribe(update);
-  const close = openPopup({ anchor, content, label: `${label} texture`, onClose: unsubscribe });
+  const close = openPopup({ anchor, content, label: t('{label} texture', { label }), onClose: unsubscribe });
   replace.addEventListener('click', () => {
     close();
     void actions.choose();

@@ -1,5 +1,6 @@
 /** The outliner: everything in the document by name; select, rename, hide, delete. */
 import type { Document } from '../../../scene/schema.ts';
+import { t } from '../../language/language.ts';
 import type { Session } from '../../session.ts';
 import type { EntityKind, Selection } from '../../state.ts';
 import { h } from '../../ui/dom.ts';
@@ -7,9 +8,9 @@ import { type IconName, icon, isIcon } from '../../ui/icons.ts';
 import { createRow, type OutlinerRow } from './row.ts';
 
 const GROUPS: readonly { kind: EntityKind; title: string }[] = [
-  { kind: 'lights', title: 'Lights' },
-  { kind: 'objects', title: 'Objects' },
-  { kind: 'materials', title: 'Materials' },
+  { kind: 'lights', title: t('Lights') },
+  { kind: 'objects', title: t('Objects') },
+  { kind: 'materials', title: t('Materials') },
 ];
 
 export interface Outliner {
@@ -23,9 +24,9 @@ export function createOutliner(session: Session): Outliner {
   const rows = new Map<string, OutlinerRow>();
   const sceneRow = h(
     'button',
-    { type: 'button', class: 'outliner-row scene-row', tip: 'Camera, environment and view' },
+    { type: 'button', class: 'outliner-row scene-row', tip: t('Camera, environment and view') },
     icon('scene'),
-    h('span', { class: 'name' }, 'Scene'),
+    h('span', { class: 'name' }, t('Scene')),
   );
   sceneRow.addEventListener('click', () => state.select(null));
 
@@ -42,7 +43,7 @@ export function createOutliner(session: Session): Outliner {
   });
   const element = h(
     'nav',
-    { class: 'outliner', 'aria-label': 'Outliner' },
+    { class: 'outliner', 'aria-label': t('Outliner') },
     sceneRow,
     ...lists.map((list) => list.element),
   );

@@ -25,6 +25,7 @@ import {
   lineNumbers,
 } from '@codemirror/view';
 import type { Parameter } from '../../../brdf/model.ts';
+import { t } from '../../language/language.ts';
 import { directiveOffers, type Offer, offersInGlsl } from './completions.ts';
 import type { SourceFault } from './edit-model.ts';
 import { brdfLanguage } from './language.ts';
@@ -103,7 +104,7 @@ export function createCodeEditor({ onChange, onLeave, parameters }: CodeEditorOp
     autocompletion({ override: [(context) => complete(context, parameters())], icons: false }),
     brdfLanguage(),
     theme,
-    EditorView.contentAttributes.of({ 'aria-label': 'Source of the model', 'data-gramm': 'false' }),
+    EditorView.contentAttributes.of({ 'aria-label': t('Source of the model'), 'data-gramm': 'false' }),
     keymap.of([
       ...closeBracketsKeymap,
       ...completionKeymap,

@@ -6,6 +6,7 @@ import { modelNameFor } from '../../../scene/material-commands.ts';
 import { findModel } from '../../../scene/models.ts';
 import type { Document } from '../../../scene/schema.ts';
 import type { DocumentStore, Draft } from '../../../scene/store.ts';
+import { t } from '../../language/language.ts';
 
 export interface SourceFault {
   /** 1 is the first line of the text. */
@@ -27,9 +28,9 @@ export const isOwn = (document: Document, name: string): boolean => Object.hasOw
 export function copyShipped(store: DocumentStore, material: string): string {
   const { model } = store.document.materials[material] ?? { model: '' };
   const source = sourceOf(store.document, model);
-  if (source === null) throw new Error(`${model} has no source that could be edited`);
+  if (source === null) throw new Error(t('{model} has no source that could be edited', { model }));
   const name = modelNameFor(store, `${model}.brdf`);
-  store.edit(`Copy ${model} to edit it`, (draft) => {
+  store.edit(t('Copy {model} to edit it', { model }), (draft) => {
     draft.models[name] = { source };
     const target = draft.materials[material];
     if (target) target.model = name;
@@ -78,7 +79,7 @@ export function applySource(
   const next = loadModel(source, `${name}.brdf`);
   const before = findModel(store.document, name);
   store.edit(
-    `Edit ${name}`,
+    t('Edit {name}', { name }),
     (draft) => {
       draft.models[name] = { source };
       for (const [id, material] of Object.entries(draft.materials)) {

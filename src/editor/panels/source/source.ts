@@ -4,6 +4,7 @@
  */
 import { findModel } from '../../../scene/models.ts';
 import { attempt } from '../../commands.ts';
+import { t } from '../../language/language.ts';
 import type { Session } from '../../session.ts';
 import { h } from '../../ui/dom.ts';
 import { newGesture } from '../../ui/gesture.ts';
@@ -30,25 +31,28 @@ export function createSourcePanel({ store, state }: Session): HTMLElement {
   const place = h('div', { class: 'source-place' });
   const close = h(
     'button',
-    { type: 'button', class: 'icon-button', 'aria-label': 'Close the source', tip: 'Close (Ctrl+E)' },
+    { type: 'button', class: 'icon-button', 'aria-label': t('Close the source'), tip: t('Close (Ctrl+E)') },
     icon('close'),
   );
   close.addEventListener('click', () => state.set({ source: null }));
   const element = h(
     'section',
-    { class: 'source', 'aria-label': 'Source of the model', hidden: true },
+    { class: 'source', 'aria-label': t('Source of the model'), hidden: true },
     h('div', { class: 'source-head' }, title, h('span', { class: 'spacer' }), close),
     place,
     message,
-    h('p', { class: 'source-keys' }, 'Tab indents, Esc leaves the text, Ctrl+Space completes'),
+    h('p', { class: 'source-keys' }, t('Tab indents, Esc leaves the text, Ctrl+Space completes')),
   );
 
   const say = (fault: SourceFault | null) => {
     editor?.showFault(fault);
     message.classList.toggle('error', fault !== null);
     message.textContent = fault
-      ? `Line ${fault.line}: ${fault.message}. The last version that compiled is in use.`
-      : 'Compiles; in use.';
+      ? t('Line {line}: {message}. The last version that compiled is in use.', {
+          line: fault.line,
+          message: fault.message,
+        })
+      : t('Compiles; in use.');
   };
 
   const compile = () => {
@@ -59,7 +63,7 @@ export function createSourcePanel({ store, state }: Session): HTMLElement {
     say(fault);
     if (fault) return;
     known = text;
-    attempt('The model stays as it was', () => applySource(store, name, text, merge, remembered));
+    attempt(t('The model stays as it was'), () => applySource(store, name, text, merge, remembered));
   };
   const typed = () => {
     message.classList.remove('error');
@@ -103,7 +107,7 @@ export function createSourcePanel({ store, state }: Session): HTMLElement {
       read(source, ready.open);
       ready.focus();
     } catch (error) {
-      toastError('The editor could not be loaded', error);
+      toastError(t('The editor could not be loaded'), error);
       state.set({ source: null });
     }
   };

@@ -1,4 +1,6 @@
 /** Frame time over time: a bar per frame, newest at the right, spikes in a colour of their own. */
+
+import { t } from '../../language/language.ts';
 import type { FrameTimes } from './frame-times.ts';
 
 const BAR_PX = 3;
@@ -15,7 +17,7 @@ export function createFrameGraph(times: FrameTimes): FrameGraph {
   const element = document.createElement('canvas');
   element.className = 'frame-graph';
   element.setAttribute('role', 'img');
-  element.setAttribute('aria-label', 'Frame time over time');
+  element.setAttribute('aria-label', t('Frame time over time'));
   const context = element.getContext('2d');
 
   const draw = () => {

@@ -1,14 +1,16 @@
 /** What a frame takes the GPU, by its own clock: the sum and the parts. Measured only while this is shown. */
 import { type GpuTimesBoard, gpuTimeText } from '../../gpu-times.ts';
+import { t } from '../../language/language.ts';
 import type { EditorStateStore } from '../../state.ts';
 import { h } from '../../ui/dom.ts';
 import { icon } from '../../ui/icons.ts';
 import { labelOf } from '../inspector/field.ts';
 
-const TIP = 'GPU time of a frame and of its parts, here and beside the effects of the scene';
-const HINT =
-  'By the GPU’s clock, which browsers may round to 0.1 ms. What an effect adds to the shading of surfaces is in “Scene”.';
-const NO_CLOCK = 'This browser or GPU has no timestamps: times of the GPU cannot be measured';
+const TIP = t('GPU time of a frame and of its parts, here and beside the effects of the scene');
+const HINT = t(
+  'By the GPU’s clock, which browsers may round to 0.1 ms. What an effect adds to the shading of surfaces is in “Scene”.',
+);
+const NO_CLOCK = t('This browser or GPU has no timestamps: times of the GPU cannot be measured');
 
 export function createGpuTimesPanel(
   state: EditorStateStore,
@@ -16,14 +18,14 @@ export function createGpuTimesPanel(
 ): { button: HTMLElement; element: HTMLElement } {
   const button = h(
     'button',
-    { type: 'button', class: 'icon-button', 'aria-label': 'GPU times', tip: TIP },
+    { type: 'button', class: 'icon-button', 'aria-label': t('GPU times'), tip: TIP },
     icon('stopwatch'),
   );
   button.addEventListener('click', () => {
     const gpuTimes = !state.value.gpuTimes;
     state.set({ gpuTimes, ...(gpuTimes && { statusOpen: true }) });
   });
-  const element = h('dl', { class: 'gpu-times', 'aria-label': 'GPU times', tip: HINT });
+  const element = h('dl', { class: 'gpu-times', 'aria-label': t('GPU times'), tip: HINT });
 
   const update = () => {
     const { gpuTimes: on } = state.value;

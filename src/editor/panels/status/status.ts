@@ -1,6 +1,7 @@
 /** The strip under the viewport: what is rendered, by what, and how long frames take. */
 
 import type { GpuTimesBoard } from '../../gpu-times.ts';
+import { t } from '../../language/language.ts';
 import type { EditorStateStore } from '../../state.ts';
 import { h } from '../../ui/dom.ts';
 import { icon } from '../../ui/icons.ts';
@@ -36,20 +37,20 @@ export function createStatus(
     return { value, element: h('div', { class: 'figure', tip }, h('dt', {}, label), value) };
   };
   const resolution = figure(
-    'Resolution',
-    'Pixels that are rendered; in percent: along each side, to hold the target frame time',
+    t('Resolution'),
+    t('Pixels that are rendered; in percent: along each side, to hold the target frame time'),
   );
-  const vertices = figure('Vertices', 'Vertices of what is drawn');
-  const triangles = figure('Triangles', 'Triangles that are drawn');
-  const calls = figure('Draw calls', 'Draw calls of a frame');
-  const backend = figure('GPU', 'The interface that the browser gave');
-  const fps = figure('FPS', 'Frames shown in the last second; none are drawn while nothing changes');
-  const p50 = figure('p50', 'Half of the frames took at most this');
-  const p95 = figure('p95', '95 % of the frames took at most this');
-  const p99 = figure('p99', '99 % of the frames took at most this');
+  const vertices = figure(t('Vertices'), t('Vertices of what is drawn'));
+  const triangles = figure(t('Triangles'), t('Triangles that are drawn'));
+  const calls = figure(t('Draw calls'), t('Draw calls of a frame'));
+  const backend = figure('GPU', t('The interface that the browser gave'));
+  const fps = figure('FPS', t('Frames shown in the last second; none are drawn while nothing changes'));
+  const p50 = figure('p50', t('Half of the frames took at most this'));
+  const p95 = figure('p95', t('95 % of the frames took at most this'));
+  const p99 = figure('p99', t('99 % of the frames took at most this'));
   const spikes = figure(
-    'Spikes',
-    'Frames that took half as long again as those before them, and at least 4 ms more',
+    t('Spikes'),
+    t('Frames that took half as long again as those before them, and at least 4 ms more'),
   );
   const graph = createFrameGraph(times);
 
@@ -58,8 +59,8 @@ export function createStatus(
     {
       type: 'button',
       class: 'icon-button',
-      'aria-label': 'Render continuously',
-      tip: 'Render every frame, to measure; off: only when something changes',
+      'aria-label': t('Render continuously'),
+      tip: t('Render every frame, to measure; off: only when something changes'),
     },
     icon('loop'),
   );
@@ -67,14 +68,14 @@ export function createStatus(
   const gpu = createGpuTimesPanel(state, gpuTimes);
   const fold = h(
     'button',
-    { type: 'button', class: 'icon-button', 'aria-label': 'Frame time graph' },
+    { type: 'button', class: 'icon-button', 'aria-label': t('Frame time graph') },
     icon('chevronDown'),
   );
   fold.addEventListener('click', () => state.set({ statusOpen: !state.value.statusOpen }));
 
   const element = h(
     'footer',
-    { class: 'status', 'aria-label': 'Status' },
+    { class: 'status', 'aria-label': t('Status') },
     h(
       'div',
       { class: 'figures' },
@@ -95,7 +96,9 @@ export function createStatus(
         'div',
         {
           class: 'timing-graph',
-          tip: 'Frame time in ms, newest at the right; spikes in red.\nBetween frames that follow one another: the time from one to the next. A single frame: until the GPU has finished it.',
+          tip: t(
+            'Frame time in ms, newest at the right; spikes in red.\nBetween frames that follow one another: the time from one to the next. A single frame: until the GPU has finished it.',
+          ),
         },
         graph.element,
       ),

@@ -3,22 +3,23 @@
  * the terms of the selected material, and of the one that is looked at already.
  */
 import { findModel } from '../../../scene/models.ts';
+import { t } from '../../language/language.ts';
 import { selectedMaterial } from '../../selected-material.ts';
 import type { Session } from '../../session.ts';
 import { h } from '../../ui/dom.ts';
 import { type Choice, selectField } from '../../ui/fields.ts';
 import { tryEdit } from '../inspector/cell.ts';
 
-const WHOLE: Choice = { value: '', label: 'Whole model' };
+const WHOLE: Choice = { value: '', label: t('Whole model') };
 
 /** Ids and names of terms have no spaces. */
 const choiceOf = (term: { material: string; name: string } | null) =>
   term ? `${term.material} ${term.name}` : WHOLE.value;
 
 export function createTermSelect({ store, state }: Session): HTMLElement {
-  const field = selectField('Term', [], (value) => {
+  const field = selectField(t('Term'), [], (value) => {
     const [material, name] = value.split(' ');
-    tryEdit(store, name ? `Show ${name} alone` : 'Show the whole model', (draft) => {
+    tryEdit(store, name ? t('Show {name} alone', { name }) : t('Show the whole model'), (draft) => {
       draft.view.term = material && name ? { material, name } : null;
     });
   });
@@ -49,8 +50,8 @@ export function createTermSelect({ store, state }: Session): HTMLElement {
 
   const element = h(
     'label',
-    { class: 'term-select', tip: 'Look at one term of the selected material’s model alone' },
-    h('span', {}, 'Term'),
+    { class: 'term-select', tip: t('Look at one term of the selected material’s model alone') },
+    h('span', {}, t('Term')),
     field.element,
   );
   store.subscribe(update);

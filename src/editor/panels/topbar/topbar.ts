@@ -6,6 +6,7 @@ import { lightDefaults, lightTypes } from '../../../scene/light-schema.ts';
 import { addMaterial } from '../../../scene/material-commands.ts';
 import { actionEntry, type EntryLook } from '../../actions/entry.ts';
 import { attempt, toggleBench, toggleHelpers } from '../../commands.ts';
+import { t, translate } from '../../language/language.ts';
 import type { Session } from '../../session.ts';
 import { h } from '../../ui/dom.ts';
 import { type IconName, icon, isIcon } from '../../ui/icons.ts';
@@ -29,13 +30,18 @@ export function createTopbar(session: Session, actions: TopbarActions): HTMLElem
   const redo = historyButton('redo', () => store.redo());
   const shot = h(
     'button',
-    { type: 'button', class: 'icon-button', 'aria-label': 'Screenshot', tip: 'Save the picture as PNG' },
+    {
+      type: 'button',
+      class: 'icon-button',
+      'aria-label': t('Screenshot'),
+      tip: t('Save the picture as PNG'),
+    },
     icon('camera'),
   );
   shot.addEventListener('click', () => {
     const more = actions.tracedPictures();
     if (more.length === 0) session.actions.run('file.screenshot');
-    else openMenu(shot, 'Screenshot', [screenshotEntry(session), ...more]);
+    else openMenu(shot, t('Screenshot'), [screenshotEntry(session), ...more]);
   });
 
   const helpers = h(
@@ -43,8 +49,8 @@ export function createTopbar(session: Session, actions: TopbarActions): HTMLElem
     {
       type: 'button',
       class: 'icon-button',
-      'aria-label': 'Light helpers',
-      tip: 'Show where the lights are (H)',
+      'aria-label': t('Light helpers'),
+      tip: t('Show where the lights are (H)'),
     },
     icon('directional'),
   );
@@ -55,8 +61,8 @@ export function createTopbar(session: Session, actions: TopbarActions): HTMLElem
     {
       type: 'button',
       class: 'icon-button',
-      'aria-label': 'BRDF bench',
-      tip: 'Plots of the selected material (B)',
+      'aria-label': t('BRDF bench'),
+      tip: t('Plots of the selected material (B)'),
     },
     icon('plot'),
   );
@@ -71,8 +77,8 @@ export function createTopbar(session: Session, actions: TopbarActions): HTMLElem
   const update = () => {
     helpers.classList.toggle('on', store.document.view.helpers);
     helpers.setAttribute('aria-pressed', String(store.document.view.helpers));
-    showHistory(undo, 'Undo', store.canUndo, store.undoLabel, 'Ctrl+Z');
-    showHistory(redo, 'Redo', store.canRedo, store.redoLabel, 'Ctrl+Shift+Z');
+    showHistory(undo, t('Undo'), store.canUndo, store.undoLabel, 'Ctrl+Z');
+    showHistory(redo, t('Redo'), store.canRedo, store.redoLabel, 'Ctrl+Shift+Z');
   };
   store.subscribe(update);
   update();
@@ -81,9 +87,9 @@ export function createTopbar(session: Session, actions: TopbarActions): HTMLElem
     'header',
     { class: 'topbar' },
     h('span', { class: 'brand' }, h('span', { class: 'brand-mark' }), 'Irradia'),
-    menuButton('File', () => fileEntries(session, actions)),
-    menuButton('Edit', () => editEntries(session)),
-    menuButton('Add', () => addEntries(session)),
+    menuButton(t('File'), () => fileEntries(session, actions)),
+    menuButton(t('Edit'), () => editEntries(session)),
+    menuButton(t('Add'), () => addEntries(session)),
     h('span', { class: 'divider' }),
     undo,
     redo,
@@ -100,7 +106,7 @@ export function createTopbar(session: Session, actions: TopbarActions): HTMLElem
 function screenshotEntry({ actions }: Session): MenuEntry {
   return actionEntry(actions, 'file.screenshot', {
     icon: 'camera',
-    tip: 'The viewport as it is shown, as PNG',
+    tip: t('The viewport as it is shown, as PNG'),
   });
 }
 
@@ -110,45 +116,49 @@ function fileEntries(session: Session, actions: TopbarActions): MenuEntry[] {
     entry('file.new', { icon: 'file' }),
     entry('file.open', {
       icon: 'folder',
-      tip: 'A scene, model, archive, .brdf, measured BRDF, HDR, EXR or image',
+      tip: t('A scene, model, archive, .brdf, measured BRDF, HDR, EXR or image'),
     }),
     entry('file.documents', {
       icon: 'copy',
-      tip: 'What this browser keeps: other documents, and versions of this one',
+      tip: t('What this browser keeps: other documents, and versions of this one'),
     }),
     entry('file.save', { icon: 'save' }),
     entry('file.saveAs'),
     entry('file.share', {
       icon: 'link',
-      tip: 'The link carries the whole document; nothing is uploaded',
+      tip: t('The link carries the whole document; nothing is uploaded'),
     }),
     screenshotEntry(session),
     ...actions.tracedPictures(),
     ...actions.exports(),
     'separator',
-    { heading: 'Scenes' },
+    { heading: t('Scenes') },
     ...actions.shippedScenes.map(
-      ({ name, title }): MenuEntry => ({ label: title, icon: 'scene', run: () => actions.openShipped(name) }),
+      ({ name, title }): MenuEntry => ({
+        label: translate(title),
+        icon: 'scene',
+        run: () => actions.openShipped(name),
+      }),
     ),
   ];
 }
 
 function editEntries(session: Session): MenuEntry[] {
   const { store, actions } = session;
-  const undo = store.undoLabel ? `Undo: ${store.undoLabel}` : 'Undo';
-  const redo = store.redoLabel ? `Redo: ${store.redoLabel}` : 'Redo';
+  const undo = store.undoLabel ? t('Undo: {label}', { label: translate(store.undoLabel) }) : t('Undo');
+  const redo = store.redoLabel ? t('Redo: {label}', { label: translate(store.redoLabel) }) : t('Redo');
   return [
     actionEntry(actions, 'edit.undo', { icon: 'undo', label: undo }),
     actionEntry(actions, 'edit.redo', { icon: 'redo', label: redo }),
     'separator',
     ...selectionEntries(session),
     'separator',
-    { heading: 'Preset of the effects' },
+    { heading: t('Preset of the effects') },
     ...presetEntries(session),
     'separator',
     {
-      label: 'Remove unused materials and files',
-      run: () => attempt('Nothing was removed', () => removeUnused(store)),
+      label: t('Remove unused materials and files'),
+      run: () => attempt(t('Nothing was removed'), () => removeUnused(store)),
     },
   ];
 }
@@ -156,35 +166,35 @@ function editEntries(session: Session): MenuEntry[] {
 function addEntries({ store, state }: Session): MenuEntry[] {
   const iconFor = (type: string): IconName => (isIcon(type) ? type : 'mesh');
   return [
-    { heading: 'Objects' },
+    { heading: t('Objects') },
     ...addableGeometries.map(
       (type): MenuEntry => ({
-        label: geometryNames[type],
+        label: translate(geometryNames[type]),
         icon: iconFor(type),
         run: () => {
-          const id = attempt('Not added', () => addObject(store, type));
+          const id = attempt(t('Not added'), () => addObject(store, type));
           if (id) state.select({ kind: 'objects', id });
         },
       }),
     ),
     'separator',
-    { heading: 'Lights' },
+    { heading: t('Lights') },
     ...lightTypes.map(
       (type): MenuEntry => ({
-        label: lightDefaults[type].name,
+        label: translate(lightDefaults[type].name),
         icon: iconFor(type),
         run: () => {
-          const id = attempt('Not added', () => addLight(store, type));
+          const id = attempt(t('Not added'), () => addLight(store, type));
           if (id) state.select({ kind: 'lights', id });
         },
       }),
     ),
     'separator',
     {
-      label: 'Material',
+      label: t('Material'),
       icon: 'material',
       run: () => {
-        const id = attempt('Not added', () => addMaterial(store));
+        const id = attempt(t('Not added'), () => addMaterial(store));
         if (id) state.select({ kind: 'materials', id });
       },
     },
@@ -206,7 +216,7 @@ function showHistory(
   shortcut: string,
 ): void {
   button.disabled = !possible;
-  const text = label ? `${verb}: ${label}` : verb;
+  const text = label ? `${verb}: ${translate(label)}` : verb;
   button.setAttribute('aria-label', text);
   button.dataset.tip = `${text}  (${shortcut})`;
 }
