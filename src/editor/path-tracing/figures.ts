@@ -1,6 +1,6 @@
 /** What is said of a path traced picture, and how complete it is. */
 import type { PathTracing as Settings } from '../../scene/schema.ts';
-import { plural, t } from '../language/language.ts';
+import { plural, t, translate } from '../language/language.ts';
 import type { Device, Figures, Phase } from './messages.ts';
 import type { TracingState } from './path-tracing.ts';
 
@@ -14,7 +14,7 @@ const PHASES: Readonly<Record<Phase, string>> = {
 
 /** @param denoised samples that the denoised picture was made of, null where the noisy one is shown */
 export function describe(state: TracingState, paused: boolean, denoised: number | null): string {
-  if (state.kind === 'failed') return state.message;
+  if (state.kind === 'failed') return translate(state.message);
   if (state.kind === 'idle') return t('Starts when the camera rests');
   if (state.kind === 'starting') {
     if (paused && state.phase === 'tracing') return t('Paused');
@@ -22,7 +22,7 @@ export function describe(state: TracingState, paused: boolean, denoised: number 
     return `${PHASES[state.phase]}${percent}`;
   }
   const { figures } = state;
-  const how = figures.reached !== null ? 'complete' : paused ? 'paused' : '';
+  const how = figures.reached !== null ? t('complete') : paused ? t('paused') : '';
   return [
     samples(figures.samples),
     duration(figures.seconds),
@@ -36,14 +36,17 @@ export function describe(state: TracingState, paused: boolean, denoised: number 
 
 function denoisedText({ figures, denoising }: PictureState, denoised: number | null): string {
   if (denoised === figures.samples) return t('denoised');
-  if (denoised !== null) return t('denoised at {denoised}', { denoised });
+  if (denoised !== null) return t('denoised at {samples}', { samples: denoised });
   return denoising === null ? '' : t('denoising {percent} %', { percent: Math.round(100 * denoising) });
 }
 
 /** How fast it is, and what does it. */
 export function describeDevice(state: TracingState, device: Device | null): string {
   if (device === null) return '';
-  const by = device.note === '' ? device.name : `${device.name}, as ${device.note}`;
+  const by =
+    device.note === ''
+      ? translate(device.name)
+      : t('{device}, as {note}', { device: translate(device.name), note: translate(device.note) });
   return state.kind === 'picture'
     ? t('{speed} by {device}', { speed: speed(state.figures.pathsPerSecond), device: by })
     : by;
@@ -71,7 +74,7 @@ function duration(seconds: number): string {
 function error(relative: Figures['error']): string {
   if (!Number.isFinite(relative)) return t('error –');
   const percent = 100 * relative;
-  return t('error {value} %', { value: percent >= 100 ? Math.round(percent) : percent.toPrecision(2) });
+  return t('error {percent} %', { percent: percent >= 100 ? Math.round(percent) : percent.toPrecision(2) });
 }
 
 function speed(pathsPerSecond: number): string {

@@ -1,6 +1,6 @@
 /** A GPU that is lost takes the picture along but nothing else: a new page opens with the same document. */
 
-import { t } from '../language/language.ts';
+import { t, translate } from '../language/language.ts';
 import { toast } from '../ui/toast.ts';
 import type { Workspace } from './workspace.ts';
 
@@ -19,7 +19,7 @@ export function recoverFromLoss(workspace: Workspace, message: string): void {
     void workspace.reload();
     return;
   }
-  toast('error', lost ? t('The GPU was lost') : t('The GPU reported an error'), message, {
+  toast('error', lost ? t('The GPU was lost') : t('The GPU reported an error'), translate(message), {
     label: t('Reload'),
     run: () => void workspace.reload(),
   });

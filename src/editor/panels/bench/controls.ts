@@ -1,7 +1,7 @@
 /** The bench's settings beside the plots; those that no view in sight has are hidden. */
 import { turning } from '../../../analysis/plots/azimuth-slice.ts';
 import { substances } from '../../../analysis/substances/table.ts';
-import { t } from '../../language/language.ts';
+import { t, translate } from '../../language/language.ts';
 import { h } from '../../ui/dom.ts';
 import { type Choice, row, selectField, switchField } from '../../ui/fields.ts';
 import { sliderField } from '../../ui/slider-field.ts';
@@ -55,7 +55,7 @@ export function createControls({ change, placeLight }: ControlActions): Controls
     tip: t('Its n and k are published measurements'),
     choices: [...substances.values()].map(({ name, title, kind }) => ({
       value: name,
-      label: title,
+      label: translate(title),
       group: kind === 'conductor' ? t('Conductors') : t('Dielectrics'),
     })),
     shown: (settings) => settings.substance,
@@ -66,7 +66,10 @@ export function createControls({ change, placeLight }: ControlActions): Controls
       name: label,
       label,
       tip,
-      choices: channelChoices.map((value) => ({ value, label: value === 'rgb' ? 'RGB' : capital(value) })),
+      choices: channelChoices.map((value) => ({
+        value,
+        label: value === 'rgb' ? 'RGB' : translate(capital(value)),
+      })),
       shown: (settings) => settings[key],
       onChange(value) {
         const found = channelChoices.find((choice) => choice === value);
@@ -77,7 +80,7 @@ export function createControls({ change, placeLight }: ControlActions): Controls
     name: t('What moves'),
     label: t('Over'),
     tip: t('What moves through the plane of incidence; the other one stands still'),
-    choices: moving.map((value) => ({ value, label: capital(value) })),
+    choices: moving.map((value) => ({ value, label: translate(capital(value)) })),
     shown: (settings) => settings.over,
     onChange(value) {
       const found = moving.find((choice) => choice === value);

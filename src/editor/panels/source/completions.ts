@@ -2,6 +2,7 @@
 import { modelSources } from '../../../../models/index.ts';
 import type { Parameter } from '../../../brdf/model.ts';
 import { builtinNames } from '../../../glsl/builtins.ts';
+import { t, translate } from '../../language/language.ts';
 
 export interface Offer {
   readonly label: string;
@@ -71,14 +72,14 @@ function unique(offers: readonly Offer[]): Offer[] {
  */
 export function offersInGlsl(text: string, parameters: readonly Parameter[]): Offer[] {
   libraryOffers ??= libraries.flatMap(([path, library]) => declarationsOf(library, `::include ${path}`));
-  const model = 'The model: 1/sr, without the cosine.';
+  const model = t('The model: 1/sr, without the cosine.');
   return unique([
     ...parameters.map(
       ({ name, type, description }): Offer => ({
         label: name,
         kind: 'property',
         detail: ` ${type}`,
-        info: description,
+        info: translate(description),
       }),
     ),
     ...declarationsOf(text, ''),

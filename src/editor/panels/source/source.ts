@@ -4,7 +4,7 @@
  */
 import { findModel } from '../../../scene/models.ts';
 import { attempt } from '../../commands.ts';
-import { t } from '../../language/language.ts';
+import { t, translate } from '../../language/language.ts';
 import type { Session } from '../../session.ts';
 import { h } from '../../ui/dom.ts';
 import { newGesture } from '../../ui/gesture.ts';
@@ -50,7 +50,7 @@ export function createSourcePanel({ store, state }: Session): HTMLElement {
     message.textContent = fault
       ? t('Line {line}: {message}. The last version that compiled is in use.', {
           line: fault.line,
-          message: fault.message,
+          message: translate(fault.message),
         })
       : t('Compiles; in use.');
   };

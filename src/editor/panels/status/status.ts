@@ -160,7 +160,7 @@ function framesPerSecond({ fps, p50 }: FrameStatistics, continuous: boolean): st
   if (fps > 1) return String(fps);
   // Less than a frame or two a second cannot be counted in a second.
   if (continuous && p50 > 0) return (1000 / p50).toFixed(1);
-  return fps === 1 ? '1' : 'idle';
+  return fps === 1 ? '1' : t('idle');
 }
 
 function milliseconds(value: number): string {
