@@ -15,6 +15,11 @@ export const SODIUM_D = 589.3;
 /** Names by which models call the colour of a metal's reflection. */
 const COLORS = ['baseColor', 'albedo'];
 
+/** `specular` of Burley's model for a smooth boundary of air and a body of that index of refraction. */
+export function specularOf(ior: number): number {
+  return ((ior - 1) / (ior + 1)) ** 2 / SPECULAR_SCALE;
+}
+
 export interface SubstanceParameters {
   readonly values: Readonly<Record<string, ParameterValue>>;
   /** Values that the model's range cut: what they should have been. */
@@ -44,8 +49,7 @@ export function substanceParameters(
   } else {
     // A dielectric's own colour comes from what is in it and stays as it is.
     const [n] = opticalConstants(substance, SODIUM_D);
-    const reflectance = ((n - 1) / (n + 1)) ** 2;
-    if (!set('ior', n) && !set('specular', reflectance / SPECULAR_SCALE)) return null;
+    if (!set('ior', n) && !set('specular', specularOf(n))) return null;
     set('specularTint', 0);
     set('metallic', 0);
   }
