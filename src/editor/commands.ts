@@ -1,7 +1,7 @@
-/** What the page's menus, keys and rows do to whatever is selected, whichever kind it is. */
-import { duplicate, removeLight, removeObjects, rename, setField } from '../scene/commands.ts';
-import { removeMaterial } from '../scene/material-commands.ts';
+/** What the page's menus, keys and rows do. */
+import { rename, setField } from '../scene/commands.ts';
 import type { DocumentStore } from '../scene/store.ts';
+import { t } from './language/language.ts';
 import { copyShipped, isOwn, sourceOf } from './panels/source/edit-model.ts';
 import { selectedMaterial } from './selected-material.ts';
 import type { EditorStateStore, EntityKind } from './state.ts';
@@ -18,41 +18,12 @@ export function attempt<T>(what: string, run: () => T): T | undefined {
 }
 
 export function renameEntity(store: DocumentStore, kind: EntityKind, id: string, name: string): void {
-  if (store.document[kind][id]?.name !== name) attempt('Not renamed', () => rename(store, kind, id, name));
-}
-
-export function setVisible(
-  store: DocumentStore,
-  kind: 'lights' | 'objects',
-  id: string,
-  visible: boolean,
-): void {
-  const name = store.document[kind][id]?.name ?? id;
-  setField(store, [kind, id, 'visible'], visible, `${visible ? 'Show' : 'Hide'} ${name}`);
-  store.endMerge();
-}
-
-export function deleteSelected(store: DocumentStore, state: EditorStateStore): void {
-  const { selection } = state.value;
-  if (!selection) return;
-  const { kind, id } = selection;
-  attempt('Not deleted', () => {
-    if (kind === 'lights') removeLight(store, id);
-    else if (kind === 'objects') removeObjects(store, [id]);
-    else removeMaterial(store, id);
-  });
-}
-
-export function duplicateSelected(store: DocumentStore, state: EditorStateStore): void {
-  const { selection } = state.value;
-  if (!selection) return;
-  const copy = attempt('Not duplicated', () => duplicate(store, selection.kind, selection.id));
-  if (copy) state.select({ kind: selection.kind, id: copy });
+  if (store.document[kind][id]?.name !== name) attempt(t('Not renamed'), () => rename(store, kind, id, name));
 }
 
 export function toggleHelpers(store: DocumentStore): void {
   const { helpers } = store.document.view;
-  setField(store, ['view', 'helpers'], !helpers, `${helpers ? 'Hide' : 'Show'} light helpers`);
+  setField(store, ['view', 'helpers'], !helpers, helpers ? t('Hide light helpers') : t('Show light helpers'));
   store.endMerge();
 }
 
@@ -72,10 +43,10 @@ export function editSource(store: DocumentStore, state: EditorStateStore): void 
   if (id === undefined || model === undefined) return;
   const name = isOwn(store.document, model)
     ? model
-    : attempt('No source to edit', () => copyShipped(store, id));
+    : attempt(t('No source to edit'), () => copyShipped(store, id));
   if (name === undefined) return;
   if (sourceOf(store.document, name) === null)
-    toast('info', `${name} is measured`, 'It has no source that could be edited.');
+    toast('info', t('{name} is measured', { name }), t('It has no source that could be edited.'));
   else state.set({ source: name });
 }
 

@@ -12,6 +12,7 @@ import { Actions } from './actions/action.ts';
 import { editActions } from './actions/edit.ts';
 import { fileActions } from './actions/file.ts';
 import { keptKeymap } from './actions/keymap.ts';
+import { selectionActions } from './actions/selection.ts';
 import { installShortcuts } from './actions/shortcuts.ts';
 import { viewActions } from './actions/view.ts';
 import { installErrorReports, showStartFailure } from './errors.ts';
@@ -20,6 +21,7 @@ import { installDrop } from './io/drop.ts';
 import { ANY_ACCEPT, chooseFiles, download, fileNameOf } from './io/files.ts';
 import { environmentElsewhere, openElsewhere } from './io/importer/import-job.ts';
 import { type OpenContext, openAddress, openFiles } from './io/open.ts';
+import { t } from './language/language.ts';
 import { createBench } from './panels/bench/bench.ts';
 import { exportEntries } from './panels/export/entries.ts';
 import { createInspector } from './panels/inspector/inspector.ts';
@@ -80,7 +82,7 @@ const assets = new AssetLoader({
 });
 const mirror = new SceneMirror({
   assets,
-  onError: (message) => toast('error', 'A part of the scene is missing', message),
+  onError: (message) => toast('error', t('A part of the scene is missing'), message),
 });
 
 const opening: OpenContext = {
@@ -111,8 +113,8 @@ let presetOfDevice: PresetOfDevice | null = null;
 const outliner = createOutliner(session);
 const times = new FrameTimes();
 const status = createStatus(state, times, session.gpuTimes);
-const canvas = h('canvas', { tabindex: -1, 'aria-label': 'Viewport' });
-const loading = h('div', { class: 'loading' }, 'Loading…');
+const canvas = h('canvas', { tabindex: -1, 'aria-label': t('Viewport') });
+const loading = h('div', { class: 'loading' }, t('Loading…'));
 const view = h('main', { class: 'viewport' }, canvas, loading);
 
 document.getElementById('app')?.replaceChildren(
@@ -152,6 +154,7 @@ store.subscribe(({ reason, document }) => {
 installDrop(view, (files) => void session.openFiles(files));
 session.actions.add(fileActions(session, { open, saveAs, screenshot }));
 session.actions.add(editActions(session));
+session.actions.add(selectionActions(session));
 session.actions.add(viewActions(session));
 installShortcuts(session.actions);
 
@@ -200,7 +203,7 @@ async function openLink(): Promise<void> {
   try {
     await workspace.replace(await documentOfLink(location.hash), location.hash);
   } catch (error) {
-    toastError('The link was not opened; the scene is unchanged', error);
+    toastError(t('The link was not opened; the scene is unchanged'), error);
   }
 }
 
@@ -256,13 +259,13 @@ function newScene(): void {
 }
 
 async function openShipped(name: string): Promise<void> {
-  const progress = startProgress(`Opening ${name}`);
-  progress.update(`Opening ${name}`, null);
+  const progress = startProgress(t('Opening {name}', { name }));
+  progress.update(t('Opening {name}', { name }), null);
   try {
     fresh = await loadScene(name);
     await workspace.replace(fresh, `?scene=${encodeURIComponent(name)}`);
   } catch (error) {
-    toastError(`${name} could not be opened; the scene is unchanged`, error);
+    toastError(t('{name} could not be opened; the scene is unchanged', { name }), error);
   } finally {
     progress.done();
   }
@@ -288,15 +291,15 @@ function tracedPictures(): MenuEntry[] {
   if (!window.irradia.viewport?.tracing.texture) return [];
   return [
     {
-      label: 'Path traced picture, PNG',
+      label: t('Path traced picture, PNG'),
       icon: 'image',
-      tip: 'All of it, as the screen shows it',
+      tip: t('All of it, as the screen shows it'),
       run: () => savePicture('-path-traced.png', (viewport) => viewport.tracedScreenshot()),
     },
     {
-      label: 'Path traced radiance, EXR',
+      label: t('Path traced radiance, EXR'),
       icon: 'image',
-      tip: 'Linear Rec. 709 before exposure and tone mapping; the header has the number of samples',
+      tip: t('Linear Rec. 709 before exposure and tone mapping; the header has the number of samples'),
       run: () => savePicture('-path-traced.exr', async ({ tracing }) => new Blob([await tracing.exr()])),
     },
   ];
@@ -308,6 +311,6 @@ async function savePicture(ending: string, picture: (viewport: Viewport) => Prom
   try {
     download(`${fileNameOf(store.document.name)}${ending}`, await picture(viewport));
   } catch (error) {
-    toastError('The picture was not saved', error);
+    toastError(t('The picture was not saved'), error);
   }
 }

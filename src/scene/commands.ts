@@ -1,7 +1,8 @@
 /**
  * What a person can do to a document, each as one undo step with a label. Plain changes of
  * one field need no command of their own: `setField` makes them. Commands for materials and
- * models are in material-commands.ts.
+ * models are in material-commands.ts, for all that is selected in selection-commands.ts, for groups in
+ * group-commands.ts.
  */
 import type { z } from 'zod';
 import { entity, namesOf } from './entity.ts';
@@ -16,7 +17,7 @@ import type { DocumentStore, Draft } from './store.ts';
 import { assetsOf } from './validate.ts';
 
 /** What has a name of its own that can be changed. */
-export type Named = 'lights' | 'objects' | 'materials' | 'assets';
+export type Named = 'lights' | 'objects' | 'groups' | 'materials' | 'assets';
 
 /** Adds a light near what the camera looks at, beside the lights that are there; returns its id. */
 export function addLight(store: DocumentStore, type: LightType, values: Partial<Light> = {}): string {
@@ -65,37 +66,6 @@ export function keepAsset(draft: Draft, asset: Asset): string {
   const id = freeId(asset.name.replace(/\.[A-Za-z0-9]+$/, ''), draft.assets);
   draft.assets[id] = asset;
   return id;
-}
-
-/** Returns the copy's id. The copy of an object shares its material. */
-export function duplicate(
-  store: DocumentStore,
-  collection: 'lights' | 'objects' | 'materials',
-  id: string,
-): string {
-  const original = entity(store.document, collection, id);
-  const entities = store.document[collection];
-  const copyId = freeId(id.replace(/-\d+$/, ''), entities);
-  store.edit(`Duplicate ${original.name}`, (draft) => {
-    const target: Record<string, { name: string }> = draft[collection];
-    target[copyId] = { ...structuredClone(original), name: freeName(original.name, namesOf(entities)) };
-  });
-  return copyId;
-}
-
-export function removeLight(store: DocumentStore, id: string): void {
-  const { name } = entity(store.document, 'lights', id);
-  store.edit(`Delete ${name}`, (draft) => {
-    delete draft.lights[id];
-  });
-}
-
-/** Removes objects; assets that nothing uses any more stay until removeUnused. */
-export function removeObjects(store: DocumentStore, ids: readonly string[]): void {
-  const names = ids.map((id) => entity(store.document, 'objects', id).name);
-  store.edit(`Delete ${names.length === 1 ? names[0] : `${names.length} objects`}`, (draft) => {
-    for (const id of ids) delete draft.objects[id];
-  });
 }
 
 /** Removes the materials and assets that nothing uses. */

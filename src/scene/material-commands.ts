@@ -28,17 +28,16 @@ export function addMaterial(store: DocumentStore, model = materialDefaults.model
   return id;
 }
 
-/** Objects that have the material get another one; the last material that is in use stays. */
-export function removeMaterial(store: DocumentStore, id: string): void {
-  const { name } = entity(store.document, 'materials', id);
-  store.edit(`Delete ${name}`, (draft) => {
-    delete draft.materials[id];
-    if (draft.view.term?.material === id) draft.view.term = null;
-    const users = Object.values(draft.objects).filter((object) => object.material === id);
-    if (users.length === 0) return;
-    const heir = Object.keys(draft.materials)[0] ?? putMaterial(draft, {});
-    for (const object of users) object.material = heir;
-  });
+/** Takes materials out of a draft. Objects that have them get the first other one, or a new one. */
+export function removeMaterials(draft: Draft, ids: readonly string[]): void {
+  if (ids.length === 0) return;
+  for (const id of ids) delete draft.materials[id];
+  const gone = new Set(ids);
+  if (draft.view.term && gone.has(draft.view.term.material)) draft.view.term = null;
+  const users = Object.values(draft.objects).filter((object) => gone.has(object.material));
+  if (users.length === 0) return;
+  const heir = Object.keys(draft.materials)[0] ?? putMaterial(draft, {});
+  for (const object of users) object.material = heir;
 }
 
 export function assignMaterial(store: DocumentStore, objects: readonly string[], material: string): void {

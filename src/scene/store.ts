@@ -14,6 +14,11 @@ import { documentIssues } from './validate.ts';
 /** The document as a recipe sees it: assign to its fields. */
 export type Draft = Document;
 
+/** A step that can be gone back to, or forward. */
+export interface HistoryStep {
+  readonly label: string;
+}
+
 export interface EditOptions {
   /** Edits in a row with the same key become one undo step: a slider being dragged. */
   merge?: string;
@@ -88,19 +93,37 @@ export class DocumentStore {
   }
 
   undo(): void {
-    const step = this.#done.pop();
-    if (step === undefined) return;
-    this.#undone.push(step);
-    this.endMerge();
-    this.#change(step.before, step.label, 'undo');
+    this.goTo(this.#done.length - 1);
   }
 
   redo(): void {
-    const step = this.#undone.pop();
-    if (step === undefined) return;
-    step.merge = undefined;
-    this.#done.push(step);
-    this.#change(step.after, step.label, 'redo');
+    this.goTo(this.#done.length + 1);
+  }
+
+  /** Every step from the first, those that were undone last. The present state is behind `historyIndex` of them. */
+  get history(): readonly HistoryStep[] {
+    return [...this.#done, ...this.#undone.toReversed()];
+  }
+  get historyIndex(): number {
+    return this.#done.length;
+  }
+
+  /** Undoes or redoes until so many steps are done, as one change. */
+  goTo(index: number): void {
+    const from = this.#done.length;
+    const to = Math.max(0, Math.min(from + this.#undone.length, Math.round(index)));
+    if (to === from) return;
+    let last: Step | undefined;
+    while (this.#done.length > to) {
+      last = this.#done.pop();
+      if (last) this.#undone.push(last);
+    }
+    while (this.#done.length < to) {
+      last = this.#undone.pop();
+      if (last) this.#done.push(last);
+    }
+    this.endMerge();
+    if (last) this.#change(to < from ? last.before : last.after, last.label, to < from ? 'undo' : 'redo');
   }
 
   /** Another document; there is no undo back to the last one. */

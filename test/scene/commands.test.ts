@@ -4,10 +4,7 @@ import { loadScene } from '../../scenes/index.ts';
 import {
   addLight,
   addObject,
-  duplicate,
   putAsset,
-  removeLight,
-  removeObjects,
   removeUnused,
   rename,
   setField,
@@ -22,7 +19,6 @@ import {
   addMaterial,
   addModel,
   assignMaterial,
-  removeMaterial,
   removeModel,
   setMaterialModel,
   setParameter,
@@ -30,6 +26,7 @@ import {
 } from '../../src/scene/material-commands.ts';
 import { materialMaps, textureRef } from '../../src/scene/material-schema.ts';
 import { findModel, modelNames } from '../../src/scene/models.ts';
+import { duplicateEntities, removeEntities } from '../../src/scene/selection-commands.ts';
 import { DocumentStore } from '../../src/scene/store.ts';
 
 let store: DocumentStore;
@@ -131,9 +128,9 @@ describe('materials', () => {
     const box = addObject(store, 'box');
     const own = store.document.objects[box]!.material;
     const other = addMaterial(store);
-    removeMaterial(store, own);
+    removeEntities(store, [{ kind: 'materials', id: own }]);
     expect(store.document.objects[box]?.material).toBe(other);
-    removeMaterial(store, other);
+    removeEntities(store, [{ kind: 'materials', id: other }]);
     expect(Object.keys(store.document.materials)).toEqual([store.document.objects[box]?.material]);
   });
 });
@@ -241,6 +238,8 @@ const onOne =
     if (id !== undefined) action(target, id);
   };
 
+const kinds = ['lights', 'objects', 'materials'] as const;
+
 const PICTURES = ['AAAA', 'AQID', 'BBBB'];
 
 const parametersOf = (target: DocumentStore, id: string) =>
@@ -251,9 +250,7 @@ const actions: readonly Action[] = [
   (target, pick) => void addObject(target, pick(addableGeometries) ?? 'box'),
   (target, pick) => void addMaterial(target, pick(modelNames(target.document))),
   (target) => void addModel(target, 'flat.brdf', flat),
-  onOne('lights', removeLight),
-  onOne('objects', (target, id) => removeObjects(target, [id])),
-  onOne('materials', removeMaterial),
+  ...kinds.map((kind) => onOne(kind, (target, id) => removeEntities(target, [{ kind, id }]))),
   (target) => removeUnused(target),
   (target, pick) =>
     target.edit('Add picture', (draft) => {
@@ -286,9 +283,7 @@ const actions: readonly Action[] = [
       target,
       pick,
     ),
-  onOne('lights', (target, id) => void duplicate(target, 'lights', id)),
-  onOne('objects', (target, id) => void duplicate(target, 'objects', id)),
-  onOne('materials', (target, id) => void duplicate(target, 'materials', id)),
+  ...kinds.map((kind) => onOne(kind, (target, id) => void duplicateEntities(target, [{ kind, id }]))),
   onOne('objects', (target, id) => rename(target, 'objects', id, 'Renamed')),
   onOne('objects', (target, id) => setField(target, ['objects', id, 'position', 1], 2)),
   (target, pick) =>

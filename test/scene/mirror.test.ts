@@ -3,26 +3,18 @@ import { afterEach, beforeEach, describe, expect, test, vi } from 'vitest';
 import { loadScene, sceneNames } from '../../scenes/index.ts';
 import { nodeAssets } from '../../src/cli/node-assets.ts';
 import { AssetLoader } from '../../src/scene/assets.ts';
-import {
-  addLight,
-  addObject,
-  putAsset,
-  removeLight,
-  removeObjects,
-  setField,
-  setLightType,
-} from '../../src/scene/commands.ts';
+import { addLight, addObject, putAsset, setField, setLightType } from '../../src/scene/commands.ts';
 import { createDocument } from '../../src/scene/document.ts';
 import { lightTypes } from '../../src/scene/light-schema.ts';
 import {
   assignMaterial,
-  removeMaterial,
   setMaterialModel,
   setParameter,
   setTexture,
 } from '../../src/scene/material-commands.ts';
 import { textureRef } from '../../src/scene/material-schema.ts';
 import { SceneMirror } from '../../src/scene/mirror.ts';
+import { removeEntities } from '../../src/scene/selection-commands.ts';
 import { DocumentStore } from '../../src/scene/store.ts';
 
 let store: DocumentStore;
@@ -145,7 +137,7 @@ describe('lights', () => {
       expect(mirror.lightFor(id)).toBeInstanceOf(THREE.Light);
     }
     const group = mirror.lightFor(id)!.parent!;
-    removeLight(store, id);
+    removeEntities(store, [{ kind: 'lights', id }]);
     expect(mirror.lightFor(id)).toBeUndefined();
     expect(group.children).toEqual([]);
   });
@@ -172,7 +164,7 @@ describe('materials', () => {
     const [a, b] = [addBox(), addBox()];
     assignMaterial(store, [a.id], b.material);
     expect(a.mesh.material).toBe(b.mesh.material);
-    removeMaterial(store, b.material);
+    removeEntities(store, [{ kind: 'materials', id: b.material }]);
     expect(b.mesh.material).toBe(mirror.materialFor(a.material));
     store.undo();
     expect(a.mesh.material).toBe(mirror.materialFor(b.material));
@@ -235,7 +227,7 @@ describe('assets that are broken', () => {
       'junk.hdr',
       'junk.png',
     ]);
-    removeObjects(store, [id]);
+    removeEntities(store, [{ kind: 'objects', id }]);
     expect(mirror.objectFor(id)).toBeUndefined();
   });
 });

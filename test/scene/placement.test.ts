@@ -1,8 +1,9 @@
 import { expect, test } from 'vitest';
 import { loadScene, sceneNames } from '../../scenes/index.ts';
-import { addLight, addObject, removeObjects, setField } from '../../src/scene/commands.ts';
+import { addLight, addObject, setField } from '../../src/scene/commands.ts';
 import { createDocument } from '../../src/scene/document.ts';
 import { addableGeometries } from '../../src/scene/geometry-schema.ts';
+import { removeEntities } from '../../src/scene/selection-commands.ts';
 import { DocumentStore } from '../../src/scene/store.ts';
 
 const objectAt = (store: DocumentStore, id: string) => store.document.objects[id]!.position;
@@ -48,7 +49,7 @@ test('where something was taken away there is room again', () => {
   const first = addObject(store, 'box');
   addObject(store, 'box');
   const position = objectAt(store, first);
-  removeObjects(store, [first]);
+  removeEntities(store, [{ kind: 'objects', id: first }]);
   expect(objectAt(store, addObject(store, 'box'))).toEqual(position);
 });
 

@@ -3,7 +3,8 @@ import { expect, it } from 'vitest';
 import { loadScene } from '../../../scenes/index.ts';
 import { applyChange, type Change, changeBetween } from '../../../src/editor/storage/changes.ts';
 import type { StoredDocument } from '../../../src/editor/storage/stored-document.ts';
-import { addLight, addObject, duplicate, removeObjects, setField } from '../../../src/scene/commands.ts';
+import { addLight, addObject, setField } from '../../../src/scene/commands.ts';
+import { duplicateEntities, removeEntities } from '../../../src/scene/selection-commands.ts';
 import { DocumentStore } from '../../../src/scene/store.ts';
 
 const scene = await loadScene('thesis');
@@ -13,8 +14,8 @@ const stored = (store: DocumentStore) => store.document as unknown as StoredDocu
 const edits: readonly ((store: DocumentStore, at: number) => void)[] = [
   (store) => addObject(store, 'torus'),
   (store) => addLight(store, 'spot'),
-  (store, at) => duplicate(store, 'objects', pick(store, at)),
-  (store, at) => removeObjects(store, [pick(store, at)]),
+  (store, at) => duplicateEntities(store, [{ kind: 'objects', id: pick(store, at) }]),
+  (store, at) => removeEntities(store, [{ kind: 'objects', id: pick(store, at) }]),
   (store, at) => setField(store, ['objects', pick(store, at), 'position'], [at, 0, 0]),
   (store, at) => setField(store, ['view', 'exposure'], at % 5),
   (store) => store.undo(),

@@ -1,5 +1,7 @@
 /** One row of the outliner. */
-import { renameEntity, setVisible } from '../../commands.ts';
+import { renameEntity } from '../../commands.ts';
+import { t } from '../../language/language.ts';
+import { toggleVisible } from '../../selection.ts';
 import type { Session } from '../../session.ts';
 import type { EntityKind } from '../../state.ts';
 import { h } from '../../ui/dom.ts';
@@ -40,11 +42,11 @@ export function createRow(session: Session, kind: EntityKind, id: string): Outli
   });
   eye.addEventListener('click', (event) => {
     event.stopPropagation();
-    if (visible !== null && kind !== 'materials') setVisible(store, kind, id, !visible);
+    if (visible !== null && kind !== 'materials') toggleVisible(session, [{ kind, id }]);
   });
 
   const rename = () => {
-    const input = h('input', { type: 'text', class: 'rename', 'aria-label': 'Name', maxlength: 200 });
+    const input = h('input', { type: 'text', class: 'rename', 'aria-label': t('Name'), maxlength: 200 });
     input.value = label.textContent ?? '';
     label.replaceWith(input);
     input.focus();
@@ -75,7 +77,7 @@ export function createRow(session: Session, kind: EntityKind, id: string): Outli
       setIcon(symbol, iconName);
       visible = nextVisible;
       eye.hidden = visible === null;
-      eye.setAttribute('aria-label', visible ? `Hide ${name}` : `Show ${name}`);
+      eye.setAttribute('aria-label', visible ? t('Hide {name}', { name }) : t('Show {name}', { name }));
       setIcon(eye, visible ? 'eye' : 'eyeOff');
       element.classList.toggle('invisible', visible === false);
     },

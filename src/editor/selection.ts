@@ -1,0 +1,100 @@
+/** What the page's menus, keys and rows do to all that is selected. */
+import { isMember, type MemberRef } from '../scene/entity.ts';
+import { groupEntities, ungroup } from '../scene/group-commands.ts';
+import { groupOf, keyOf, membersOf } from '../scene/groups.ts';
+import {
+  duplicateEntities,
+  lockedOf,
+  removeEntities,
+  setLocked,
+  setVisible,
+} from '../scene/selection-commands.ts';
+import { attempt } from './commands.ts';
+import { plural, t } from './language/language.ts';
+import type { Session } from './session.ts';
+import type { Entity } from './state.ts';
+import { toast } from './ui/toast.ts';
+
+type Context = Pick<Session, 'store' | 'state'>;
+
+/** The objects and lights that are selected. */
+export function selectedMembers({ state }: Context): MemberRef[] {
+  return state.value.selected.filter(isMember);
+}
+
+export function deleteSelected({ store, state }: Context): void {
+  const { selected } = state.value;
+  if (selected.length === 0) return;
+  const locked = lockedOf(store.document, selected).length;
+  attempt(t('Not deleted'), () => {
+    removeEntities(store, selected);
+    if (locked > 0) toast('info', plural(locked, 'One is locked and stays', '{count} are locked and stay'));
+  });
+}
+
+export function duplicateSelected({ store, state }: Context): void {
+  const { selected } = state.value;
+  if (selected.length === 0) return;
+  const copies = attempt(t('Not duplicated'), () => duplicateEntities(store, selected));
+  if (copies) state.selectAll(copies);
+}
+
+/** Hides what is selected; shows it if all of it is hidden. */
+export function toggleVisible(context: Context, refs = selectedMembers(context)): void {
+  const { document } = context.store;
+  const shown = refs.some(({ kind, id }) => document[kind][id]?.visible);
+  attempt(t('Nothing was hidden or shown'), () => setVisible(context.store, refs, !shown));
+}
+
+/** Locks what is selected; unlocks it if all of it is locked. */
+export function toggleLocked(context: Context, refs = selectedMembers(context)): void {
+  const { document } = context.store;
+  const free = refs.some(({ kind, id }) => !document[kind][id]?.locked);
+  attempt(t('Nothing was locked or unlocked'), () => setLocked(context.store, refs, free));
+}
+
+export function groupSelected({ store, state }: Context): void {
+  attempt(t('Not grouped'), () => groupEntities(store, state.value.selected));
+}
+
+export function ungroupSelected({ store, state }: Context): void {
+  attempt(t('Not ungrouped'), () => ungroup(store, state.value.selected));
+}
+
+/** Everything that is in the innermost groups of what is selected, too. */
+export function selectGroups({ store, state }: Context): void {
+  const { document } = store;
+  const groups = new Set(state.value.selected.filter(isMember).map((ref) => groupOf(document, ref)));
+  const more = [...groups].flatMap((group) => (group === null ? [] : membersOf(document, group)));
+  const before = new Set(state.value.selected.map(keyOf));
+  // What was chosen last stays the last.
+  state.selectAll([...more.filter((ref) => !before.has(keyOf(ref))), ...state.value.selected]);
+}
+
+/** All materials where a material was chosen last; else every object and light that is neither hidden nor locked. */
+function selectable({ store, state }: Context): Entity[] {
+  const { document } = store;
+  if (state.value.selection?.kind === 'materials')
+    return Object.keys(document.materials).map((id) => ({ kind: 'materials', id }));
+  return (['lights', 'objects'] as const).flatMap((kind) =>
+    Object.entries<{ visible: boolean; locked: boolean }>(document[kind])
+      .filter(([, { visible, locked }]) => visible && !locked)
+      .map(([id]) => ({ kind, id })),
+  );
+}
+
+export function selectEverything(context: Context): void {
+  context.state.selectAll(selectable(context));
+}
+
+export function selectInverse(context: Context): void {
+  const { state } = context;
+  state.selectAll(selectable(context).filter((entity) => !state.isSelected(entity)));
+}
+
+/** Every object and light of the scene. */
+export function allMembers({ store: { document } }: Context): MemberRef[] {
+  return (['lights', 'objects'] as const).flatMap((kind) =>
+    Object.keys(document[kind]).map((id) => ({ kind, id })),
+  );
+}
