@@ -74,7 +74,7 @@ export const STONE: readonly LibraryEntry[] = [
   principled('stone', 'slate', 'Slate', [0.055, 0.06, 0.066], { roughness: 0.52, specular: 0.5 }, BY_EYE),
   principled('stone', 'basalt', 'Basalt', [0.045, 0.044, 0.043], { roughness: 0.75, specular: 0.4 }, BY_EYE),
   principled('stone', 'jade', 'Jade', [0.1, 0.3, 0.13], { subsurface: 0.8, roughness: 0.2, specular: gloss(1.62) }, 'Gloss of nephrite, index 1.62. Colour and roughness by eye.'),
-  glossyMatte('stone', 'alabaster', 'Alabaster', [0.76, 0.72, 0.63], 0.1, 'Gloss of gypsum, BY_EYE),
+  glossyMatte('stone', 'alabaster', 'Alabaster', [0.76, 0.72, 0.63], 0.1, BY_EYE),
 ];
 
 // biome-ignore format: a table
