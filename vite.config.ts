@@ -2,6 +2,7 @@ import { createHash } from 'node:crypto';
 import { readFileSync } from 'node:fs';
 import { defineConfig, type Plugin } from 'vite';
 import { contentSecurityPolicy, isolationHeaders } from './src/page-policy.ts';
+import { licences, packagesOf } from './vite.licences.config.ts';
 import { alias, repository, target } from './vite.shared.config.ts';
 
 const editor = `${repository}src/editor/`;
@@ -17,6 +18,24 @@ const policy: Plugin = {
       injectTo: 'head-prepend',
     },
   ],
+};
+
+/** A plain script, which the page waits for: no module is so early. */
+const FIRST_PAINT = 'theme/first-paint.js';
+const firstPaint: Plugin = {
+  name: 'irradia:first-paint',
+  enforce: 'post',
+  transformIndexHtml: {
+    order: 'post',
+    handler: () => [{ tag: 'script', attrs: { src: `./${FIRST_PAINT}` }, injectTo: 'head' }],
+  },
+  generateBundle() {
+    this.emitFile({
+      type: 'asset',
+      fileName: FIRST_PAINT,
+      source: readFileSync(`${editor}${FIRST_PAINT}`, 'utf8'),
+    });
+  },
 };
 
 /** What makes the page installable, and the list of files that its service worker stores. */
@@ -57,7 +76,8 @@ export default defineConfig({
   publicDir: false,
   cacheDir: `${repository}node_modules/.vite/lab`,
   resolve: { alias },
-  plugins: [policy, offline],
+  // The last lists what the others have made.
+  plugins: [policy, licences, firstPaint, offline],
   server: {
     fs: { allow: [repository] },
     headers: isolationHeaders,
@@ -78,5 +98,5 @@ export default defineConfig({
       },
     },
   },
-  worker: { format: 'es' },
+  worker: { format: 'es', plugins: () => [packagesOf] },
 });

@@ -12,6 +12,7 @@ import { Actions } from './actions/action.ts';
 import { editActions } from './actions/edit.ts';
 import { fileActions } from './actions/file.ts';
 import { keptKeymap } from './actions/keymap.ts';
+import { pageActions } from './actions/page.ts';
 import { selectionActions } from './actions/selection.ts';
 import { installShortcuts } from './actions/shortcuts.ts';
 import { viewActions } from './actions/view.ts';
@@ -38,6 +39,7 @@ import { EditorStateStore } from './state.ts';
 import { recoverFromLoss } from './storage/device-loss.ts';
 import { saveDocument } from './storage/save-file.ts';
 import { Workspace } from './storage/workspace.ts';
+import { followSystemTheme } from './theme/theme.ts';
 import { h } from './ui/dom.ts';
 import type { MenuEntry } from './ui/menu.ts';
 import { startProgress, toast, toastError } from './ui/toast.ts';
@@ -66,6 +68,7 @@ declare global {
 const PATIENCE_MS = 400;
 
 installErrorReports();
+followSystemTheme();
 installTooltip((action) => session.actions.shortcut(action));
 
 const store = new DocumentStore(createDocument());
@@ -156,6 +159,7 @@ session.actions.add(fileActions(session, { open, saveAs, screenshot }));
 session.actions.add(editActions(session));
 session.actions.add(selectionActions(session));
 session.actions.add(viewActions(session));
+session.actions.add(pageActions(session));
 installShortcuts(session.actions);
 
 window.addEventListener('hashchange', () => void openLink());

@@ -56,7 +56,8 @@ export function createProgress({ store, state }: Session, tracing: PathTracing):
     whole.hidden = store.document.view.term === null;
     denoise.setAttribute('aria-pressed', String(state.value.denoise));
     pause.setAttribute('aria-label', paused ? t('Go on path tracing') : t('Pause path tracing'));
-    pause.dataset.tip = paused ? t('Go on (P)') : t('Pause (P)');
+    pause.dataset.tip = paused ? t('Go on') : t('Pause');
+    pause.dataset.keys = 'view.pauseTracing';
     pause.setAttribute('aria-pressed', String(paused));
     setIcon(pause, paused ? 'play' : 'pause');
   };

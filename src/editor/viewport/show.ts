@@ -38,7 +38,7 @@ export function createShowView(session: Session): ShowView {
   const field = selectField(t('Show'), choices, (value) => show(store, value as Show));
   const choice = h(
     'label',
-    { class: 'show-choice', tip: t('The picture, or what is behind it (V, Shift+V back)') },
+    { class: 'show-choice', tip: t('The picture, or what is behind it'), keys: 'view.nextData' },
     h('span', {}, t('Show')),
     field.element,
   );

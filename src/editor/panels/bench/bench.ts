@@ -11,6 +11,7 @@ import { download, fileNameOf } from '../../io/files.ts';
 import { t } from '../../language/language.ts';
 import { selectedMaterial } from '../../selected-material.ts';
 import type { Session } from '../../session.ts';
+import { onThemeChange } from '../../theme/theme.ts';
 import { h } from '../../ui/dom.ts';
 import { newGesture } from '../../ui/gesture.ts';
 import { icon } from '../../ui/icons.ts';
@@ -112,14 +113,21 @@ export function createBench(session: Session, { geometryOf, viewport, renderer }
       type: 'button',
       class: 'icon-button',
       'aria-label': t('Fill the page with the bench'),
-      tip: t('Fill the page, six views at once (Shift+B)'),
+      tip: t('Fill the page, six views at once'),
+      keys: 'view.benchPage',
     },
     icon('expand'),
   );
   page.addEventListener('click', () => toggleBenchPage(state));
   const close = h(
     'button',
-    { type: 'button', class: 'icon-button', 'aria-label': t('Close the bench'), tip: t('Close (B)') },
+    {
+      type: 'button',
+      class: 'icon-button',
+      'aria-label': t('Close the bench'),
+      tip: t('Close'),
+      keys: 'view.bench',
+    },
     icon('close'),
   );
   close.addEventListener('click', () => state.set({ benchOpen: false, benchPage: false }));
@@ -270,6 +278,7 @@ export function createBench(session: Session, { geometryOf, viewport, renderer }
     layout();
   });
   window.addEventListener('resize', layout);
+  onThemeChange(wantFrame);
   layout();
   return element;
 }

@@ -274,10 +274,7 @@ function drawFresnelKey(painter: Painter, area: Area, { curves, settings }: Plot
 
 /** Which dashes mean which angle of the viewer. */
 function drawAngleKey(painter: Painter, area: Area): void {
-  painter.fill(
-    { x: area.x + 4, y: area.y + area.height - 37, width: 186, height: 34 },
-    `${colors.background}d0`,
-  );
+  painter.fill({ x: area.x + 4, y: area.y + area.height - 37, width: 186, height: 34 }, colors.veil);
   for (const [i, angle] of sweepAngles.entries()) {
     const [x, y] = [area.x + 10 + (i % 2) * 92, area.y + area.height - 26 + Math.floor(i / 2) * 15];
     painter.line(

@@ -7,6 +7,7 @@ import { colors, dashOf, type Plot } from './frame.ts';
 import type { Painter } from './painter.ts';
 import { drawPlot } from './pane.ts';
 import { svgPainter } from './svg-painter.ts';
+import { themed } from './themed-painter.ts';
 import { viewInfo } from './views.ts';
 
 const LEGEND_ROW = 18;
@@ -15,13 +16,13 @@ const PNG_SCALE = 2;
 
 export function exportSvg(plot: Plot, width: number, height: number): Blob {
   const painter = svgPainter(width, height + legendHeight(plot));
-  drawWithLegend(painter, plot, height);
+  drawWithLegend(themed(painter), plot, height);
   return new Blob([painter.finish()], { type: 'image/svg+xml' });
 }
 
 export async function exportPng(plot: Plot, width: number, height: number): Promise<Blob> {
   const canvas = document.createElement('canvas');
-  drawWithLegend(canvasPainter(canvas, width, height + legendHeight(plot), PNG_SCALE), plot, height);
+  drawWithLegend(themed(canvasPainter(canvas, width, height + legendHeight(plot), PNG_SCALE)), plot, height);
   const blob = await new Promise<Blob | null>((resolve) => canvas.toBlob(resolve));
   if (!blob) throw new Error(t('the browser could not encode the plot as PNG'));
   return blob;

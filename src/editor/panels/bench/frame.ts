@@ -8,17 +8,24 @@ import { t } from '../../language/language.ts';
 import type { Painter, Point, Stroke } from './painter.ts';
 import { type BenchView, type PaneSettings, STEEPEST } from './settings.ts';
 
+/** Of the theme (style/tokens.css). */
 export const colors = {
-  background: '#141619',
-  grid: '#262a30',
-  axis: '#3a3e46',
-  text: '#959ba5',
-  faint: '#737984',
-  guide: '#b9bec7',
-  light: '#f2d98a',
+  background: 'var(--plot-background)',
+  veil: 'var(--plot-veil)',
+  grid: 'var(--plot-grid)',
+  axis: 'var(--plot-axis)',
+  text: 'var(--plot-text)',
+  faint: 'var(--plot-faint)',
+  guide: 'var(--plot-guide)',
+  light: 'var(--plot-light)',
 } as const;
 
-const CHANNEL_COLORS = { luminance: '', red: '#e5766f', green: '#85bd6b', blue: '#6b9fe6' } as const;
+const CHANNEL_COLORS = {
+  luminance: '',
+  red: 'var(--axis-x)',
+  green: 'var(--axis-y)',
+  blue: 'var(--axis-z)',
+} as const;
 /** With a line for each channel the colour is the channel's, and dashes tell materials apart. */
 const DASHES: readonly (readonly number[])[] = [[], [7, 4], [2, 3], [9, 3, 2, 3], [14, 5]];
 

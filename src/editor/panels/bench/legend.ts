@@ -119,7 +119,7 @@ function swatch(color: string, dash: readonly number[]): SVGElement {
   svg.setAttribute('aria-hidden', 'true');
   const line = document.createElementNS(SVG, 'path');
   line.setAttribute('d', 'M0 6h24');
-  line.setAttribute('stroke', color);
+  line.style.stroke = color;
   line.setAttribute('stroke-width', '2.5');
   line.setAttribute('stroke-dasharray', dash.join(' '));
   svg.append(line);

@@ -3,12 +3,13 @@ import { channelOf } from '../../../analysis/plots/channel.ts';
 import { type Rgb, radians } from '../../../analysis/plots/curve.ts';
 import type { Lobe } from '../../../analysis/plots/lobe.ts';
 import { direction, type Vec3 } from '../../../analysis/vector.ts';
+import { computedColor } from '../../theme/theme.ts';
 import type { PlottedCurve } from './frame.ts';
 import type { Point } from './painter.ts';
 import type { Projection } from './projection.ts';
 import type { Scale } from './scale.ts';
 import type { PaneSettings } from './settings.ts';
-import { encodeSrgb, rgbOfHex } from './tone.ts';
+import { encodeSrgb, rgbOf } from './tone.ts';
 
 export interface Facet {
   readonly corners: readonly Point[];
@@ -23,6 +24,8 @@ export interface Facet {
 /** A value beyond the axis ends here. */
 const FARTHEST = 1.35;
 /** Several lobes are seen through one another. */
+/** The wire's part of opaque. */
+const WIRE = 0.375;
 const TRANSLUCENT = 0.55;
 /** Square pixels: a sharp lobe has most of its facets where it is almost nothing. */
 const LEAST_AREA = 0.05;
@@ -61,7 +64,7 @@ function facetsOfOne(
   if (!lobe) return [];
   const { thetas, phis } = lobe;
   const columns = phis.length;
-  const base = rgbOfHex(color);
+  const base = rgbOf(computedColor(color));
   // The lamp of the drawing, not of the BRDF: over the left shoulder of who looks.
   const lamp = unit([back[0] + 0.35 * back[1], back[1] - 0.35 * back[0], back[2] + 0.7]);
   const tips: Vec3[] = [];
@@ -93,7 +96,7 @@ function facetsOfOne(
       const rgb = settings.channel === 'rgb' ? chromaOf(rgbAt(lobe, 3 * (indices[0] as number))) : base;
       const shaded = rgb.map((value) => Math.round(value * shade)).join(' ');
       // Where the colours are those of the light, a wire tells which lobe is which.
-      const wire = settings.channel === 'rgb' ? `${color}60` : null;
+      const wire = settings.channel === 'rgb' ? `rgb(${base.join(' ')} / ${WIRE})` : null;
       facets.push({
         corners,
         color: several ? `rgb(${shaded} / ${TRANSLUCENT})` : `rgb(${shaded})`,

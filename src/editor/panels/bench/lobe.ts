@@ -154,7 +154,7 @@ function drawFloor(painter: Painter, view: Projection, scale: Scale): void {
 
 /** Lines of equal theta and phi on the unit hemisphere: behind the lobes, or, fainter, before them. */
 function drawHemisphere(painter: Painter, view: Projection, front: boolean): void {
-  const color = front ? '#ffffff14' : colors.grid;
+  const color = front ? 'var(--tint-strong)' : colors.grid;
   const lines: Vec3[][] = [circle(1, 0)];
   for (const theta of [30, 60]) lines.push(circle(Math.sin(radians(theta)), Math.cos(radians(theta))));
   for (let phi = 0; phi < 360; phi += 45) {
@@ -181,7 +181,7 @@ function drawProbe(painter: Painter, plot: Plot, view: Projection, scale: Scale)
     const rgb = lobeView.value(curve, { x, y }, plot);
     if (!rgb) continue;
     const tip = times(vectorOf(x, 360 * y), Math.min(1.35, scale.position(channelOf(rgb, channel))));
-    painter.disc(view.place(tip), 3, '#ffffff');
+    painter.disc(view.place(tip), 3, 'var(--plot-exact)');
   }
 }
 

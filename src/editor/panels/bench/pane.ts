@@ -1,11 +1,13 @@
 /** One view on the page: draws when something changed, reads the pointer, lets its handles be dragged. */
 
 import { t } from '../../language/language.ts';
+import { computedColor } from '../../theme/theme.ts';
 import { h } from '../../ui/dom.ts';
 import { canvasPainter } from './canvas-painter.ts';
 import { colors, type Handle, type Plot, type Probe } from './frame.ts';
 import type { Painter, Point } from './painter.ts';
 import type { PaneSettings } from './settings.ts';
+import { themed } from './themed-painter.ts';
 import { viewInfo } from './views.ts';
 
 export interface PlotPane {
@@ -101,11 +103,20 @@ export function createPane({ wantFrame, change }: PaneActions): PlotPane {
     draw(plot) {
       shown = plot;
       const { width, height } = size();
-      const now = [width, height, devicePixelRatio, plot.probe?.x, plot.probe?.y, ...partsOf(plot)];
+      const now = [
+        width,
+        height,
+        devicePixelRatio,
+        computedColor(colors.background),
+        plot.probe?.x,
+        plot.probe?.y,
+        ...partsOf(plot),
+      ];
       if (now.length === drawn.length && now.every((part, i) => part === drawn[i])) return;
       drawn = now;
       element.setAttribute('aria-label', labelOf(plot));
-      if (width > 0 && height > 0) drawPlot(canvasPainter(element, width, height, devicePixelRatio), plot);
+      if (width > 0 && height > 0)
+        drawPlot(themed(canvasPainter(element, width, height, devicePixelRatio)), plot);
     },
   };
 }

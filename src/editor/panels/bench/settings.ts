@@ -97,8 +97,9 @@ export function paneSettings(bench: BenchSettings, pane: number): PaneSettings {
 
 /** The id of the curve that follows the selected material. */
 export const CURRENT = 'current';
-export const CURRENT_COLOR = '#eaa54b';
-const PIN_COLORS = ['#6b9fe6', '#85bd6b', '#d98bd0', '#5fc4c0', '#e5766f', '#b9a8f0', '#c9c46a'];
+/** Of the theme (style/tokens.css). */
+export const CURRENT_COLOR = 'var(--series-0)';
+const PIN_COLORS = [1, 2, 3, 4, 5, 6, 7].map((i) => `var(--series-${i})`);
 
 export const channelChoices = ['luminance', 'rgb', ...channels.slice(1)] as const;
 

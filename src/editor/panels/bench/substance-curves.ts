@@ -6,8 +6,8 @@ import { between } from './between.ts';
 import type { PlottedCurve } from './frame.ts';
 
 /** Of no material: those have their colours from the bench's legend. */
-const EXACT = '#e8eaee';
-const SCHLICK = '#8e96a3';
+const EXACT = 'var(--plot-exact)';
+const SCHLICK = 'var(--plot-schlick)';
 
 const known = new Map<string, readonly PlottedCurve[]>();
 

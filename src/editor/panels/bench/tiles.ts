@@ -7,6 +7,7 @@ import type { Picture } from '../../../analysis/plots/picture.ts';
 import { FILL } from '../../../analysis/plots/surface.ts';
 import { direction, type Vec3 } from '../../../analysis/vector.ts';
 import { t } from '../../language/language.ts';
+import { computedColor } from '../../theme/theme.ts';
 import {
   colors,
   degrees,
@@ -122,7 +123,12 @@ function drawTiles(painter: Painter, plot: Plot, axes: TileAxes | null): void {
 function drawDifference(painter: Painter, { curves, settings }: Plot, area: Area, smooth: boolean): void {
   const [a, b] = curves;
   if (!a?.picture || !b?.picture) return;
-  const pixels = differencePixels(a.picture, b.picture, [a.color, b.color], settings);
+  const pixels = differencePixels(
+    a.picture,
+    b.picture,
+    [computedColor(a.color), computedColor(b.color)],
+    settings,
+  );
   const most = greatestDifference(a.picture, b.picture);
   if (pixels) painter.image(pixels, area, smooth);
   const text =

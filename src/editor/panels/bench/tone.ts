@@ -51,7 +51,7 @@ export function encodeSrgb(value: number): number {
  * Where the first picture is brighter, its series' colour, and where the second is, that one's; black where they
  * are the same. A difference of 1 has the full colour at a brightness of 0 EV.
  *
- * @param hues the series' colours, #rrggbb
+ * @param hues the series' colours, as a browser computes them
  */
 export function differencePixels(
   a: Picture,
@@ -62,7 +62,7 @@ export function differencePixels(
   if (a.size !== b.size) return null;
   const channel = tint === 'rgb' ? 'luminance' : tint;
   const rgba = new Uint8ClampedArray(4 * a.size * a.size);
-  const [ofFirst, ofSecond] = [rgbOfHex(hues[0]), rgbOfHex(hues[1])];
+  const [ofFirst, ofSecond] = [rgbOf(hues[0]), rgbOf(hues[1])];
   for (let i = 0; i < a.size * a.size; i++) {
     const coverage = a.alpha ? (a.alpha[i] as number) : 1;
     if (coverage === 0) continue;
@@ -76,8 +76,9 @@ export function differencePixels(
   return { width: a.size, height: a.size, rgba };
 }
 
-export function rgbOfHex(hex: string): readonly number[] {
-  return [1, 3, 5].map((i) => Number.parseInt(hex.slice(i, i + 2), 16));
+/** Of `rgb(r, g, b)`, as a browser computes colours. */
+export function rgbOf(color: string): readonly number[] {
+  return (color.match(/[\d.]+/g) ?? []).slice(0, 3).map(Number);
 }
 
 /** The greatest difference of a channel between two pictures; null if they cannot be compared yet. */

@@ -23,7 +23,8 @@ export function createTitle(session: Session): HTMLElement {
   const showState = (state: KeepState) => {
     button.dataset.keep = state.kind;
     mark.replaceChildren(state.kind === 'failed' ? icon('warning') : markTexts[state.kind]);
-    button.dataset.tip = `${tipOf(state)}\n${t('Documents and versions (Ctrl+Shift+O)')}`;
+    button.dataset.keys = 'file.documents';
+    button.dataset.tip = `${tipOf(state)}\n${t('Documents and versions')}`;
   };
   store.subscribe(showName);
   workspace.subscribe(showState);

@@ -90,7 +90,8 @@ function editSourceButton({ store, state }: Session): HTMLElement {
     {
       type: 'button',
       class: 'text-button',
-      tip: t('Edit the source of the model; one that ships is copied into the scene first (Ctrl+E)'),
+      tip: t('Edit the source of the model; one that ships is copied into the scene first'),
+      keys: 'edit.source',
     },
     t('Edit source'),
   );

@@ -49,40 +49,37 @@ export interface CodeEditorOptions {
   parameters(): readonly Parameter[];
 }
 
-const theme = EditorView.theme(
-  {
-    '&': { height: '100%', backgroundColor: 'var(--bg-field)', color: 'var(--text)', fontSize: '12px' },
-    '&.cm-focused': { outline: 'none' },
-    '.cm-scroller': {
-      fontFamily: '"JetBrains Mono", "SF Mono", "Cascadia Mono", Consolas, "DejaVu Sans Mono", monospace',
-      lineHeight: '1.5',
-    },
-    '.cm-content': { caretColor: 'var(--accent)' },
-    '.cm-cursor': { borderLeftColor: 'var(--accent)' },
-    '.cm-gutters': { backgroundColor: 'var(--bg-field)', color: '#565c66', border: 'none' },
-    '.cm-activeLine': { backgroundColor: '#ffffff07' },
-    '.cm-activeLineGutter': { backgroundColor: '#ffffff07', color: 'var(--text-dim)' },
-    '&.cm-focused > .cm-scroller > .cm-selectionLayer .cm-selectionBackground, .cm-selectionBackground': {
-      backgroundColor: '#3f3626',
-    },
-    '.cm-matchingBracket': { backgroundColor: '#ffffff18', outline: 'none' },
-    '.cm-tooltip': {
-      backgroundColor: 'var(--bg-raised)',
-      border: '1px solid #000',
-      borderRadius: '4px',
-      color: 'var(--text)',
-    },
-    '.cm-tooltip-autocomplete > ul > li[aria-selected]': {
-      backgroundColor: 'var(--bg-selected)',
-      color: 'var(--accent)',
-    },
-    '.cm-tooltip-autocomplete > ul': { fontSize: '11.5px', maxWidth: '420px' },
-    '.cm-completionDetail': { color: 'var(--text-faint)', fontStyle: 'normal' },
-    '.cm-completionInfo': { maxWidth: '340px', whiteSpace: 'pre-wrap', padding: '6px 8px' },
-    '.cm-diagnostic-error': { borderLeft: '3px solid var(--error)', padding: '4px 8px' },
+const theme = EditorView.theme({
+  '&': { height: '100%', backgroundColor: 'var(--bg-field)', color: 'var(--text)', fontSize: '12px' },
+  '&.cm-focused': { outline: 'none' },
+  '.cm-scroller': {
+    fontFamily: '"JetBrains Mono", "SF Mono", "Cascadia Mono", Consolas, "DejaVu Sans Mono", monospace',
+    lineHeight: '1.5',
   },
-  { dark: true },
-);
+  '.cm-content': { caretColor: 'var(--accent)' },
+  '.cm-cursor': { borderLeftColor: 'var(--accent)' },
+  '.cm-gutters': { backgroundColor: 'var(--bg-field)', color: 'var(--text-faint)', border: 'none' },
+  '.cm-activeLine': { backgroundColor: 'var(--tint)' },
+  '.cm-activeLineGutter': { backgroundColor: 'var(--tint)', color: 'var(--text-dim)' },
+  '&.cm-focused > .cm-scroller > .cm-selectionLayer .cm-selectionBackground, .cm-selectionBackground': {
+    backgroundColor: 'var(--code-selection)',
+  },
+  '.cm-matchingBracket': { backgroundColor: 'var(--tint-strong)', outline: 'none' },
+  '.cm-tooltip': {
+    backgroundColor: 'var(--bg-raised)',
+    border: '1px solid var(--edge)',
+    borderRadius: '4px',
+    color: 'var(--text)',
+  },
+  '.cm-tooltip-autocomplete > ul > li[aria-selected]': {
+    backgroundColor: 'var(--bg-selected)',
+    color: 'var(--accent)',
+  },
+  '.cm-tooltip-autocomplete > ul': { fontSize: '11.5px', maxWidth: '420px' },
+  '.cm-completionDetail': { color: 'var(--text-faint)', fontStyle: 'normal' },
+  '.cm-completionInfo': { maxWidth: '340px', whiteSpace: 'pre-wrap', padding: '6px 8px' },
+  '.cm-diagnostic-error': { borderLeft: '3px solid var(--error)', padding: '4px 8px' },
+});
 
 export function createCodeEditor({ onChange, onLeave, parameters }: CodeEditorOptions): CodeEditor {
   const element = document.createElement('div');

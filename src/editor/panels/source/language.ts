@@ -60,8 +60,8 @@ const parser: StreamParser<BrdfState> = {
 /** From the page's own colours (style/tokens.css), which reach into the editor as custom properties. */
 const colours = HighlightStyle.define([
   { tag: tags.comment, color: 'var(--text-faint)', fontStyle: 'italic' },
-  { tag: [tags.keyword, tags.controlKeyword, tags.modifier], color: '#d98bd0' },
-  { tag: [tags.typeName, tags.standard(tags.typeName)], color: '#5fc4c0' },
+  { tag: [tags.keyword, tags.controlKeyword, tags.modifier], color: 'var(--code-keyword)' },
+  { tag: [tags.typeName, tags.standard(tags.typeName)], color: 'var(--code-type)' },
   { tag: [tags.standard(tags.variableName), tags.standard(tags.name)], color: 'var(--axis-z)' },
   { tag: [tags.number, tags.bool, tags.atom], color: 'var(--axis-y)' },
   { tag: [tags.meta, tags.processingInstruction], color: 'var(--accent)' },

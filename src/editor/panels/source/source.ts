@@ -31,7 +31,13 @@ export function createSourcePanel({ store, state }: Session): HTMLElement {
   const place = h('div', { class: 'source-place' });
   const close = h(
     'button',
-    { type: 'button', class: 'icon-button', 'aria-label': t('Close the source'), tip: t('Close (Ctrl+E)') },
+    {
+      type: 'button',
+      class: 'icon-button',
+      'aria-label': t('Close the source'),
+      tip: t('Close'),
+      keys: 'edit.source',
+    },
     icon('close'),
   );
   close.addEventListener('click', () => state.set({ source: null }));

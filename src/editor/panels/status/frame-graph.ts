@@ -1,6 +1,7 @@
 /** Frame time over time: a bar per frame, newest at the right, spikes in a colour of their own. */
 
 import { t } from '../../language/language.ts';
+import { computedColor, onThemeChange } from '../../theme/theme.ts';
 import type { FrameTimes } from './frame-times.ts';
 
 const BAR_PX = 3;
@@ -37,12 +38,13 @@ export function createFrameGraph(times: FrameTimes): FrameGraph {
     drawAxis(context, plot, top, y);
     shown.forEach((sample, i) => {
       const x = plot - (shown.length - i) * BAR_PX;
-      context.fillStyle = sample.spike ? '#f0705f' : '#8fa3bd';
+      context.fillStyle = computedColor(sample.spike ? 'var(--error)' : 'var(--plot-bar)');
       const level = y(sample.ms);
       context.fillRect(x, level, BAR_PX - 1, height - 1 - level);
     });
   };
   new ResizeObserver(draw).observe(element);
+  onThemeChange(draw);
   return { element, draw };
 }
 
@@ -56,9 +58,9 @@ function drawAxis(
   context.textBaseline = 'middle';
   for (const ms of [top, top / 2]) {
     const level = Math.round(y(ms)) + 0.5;
-    context.fillStyle = '#2a2d33';
+    context.fillStyle = computedColor('var(--line)');
     context.fillRect(0, level - 0.5, plot, 1);
-    context.fillStyle = '#737984';
+    context.fillStyle = computedColor('var(--text-faint)');
     const label = ms >= 1000 ? `${ms / 1000} s` : `${Number(ms.toFixed(1))}`;
     context.fillText(ms === top && ms < 1000 ? `${label} ms` : label, plot + 4, Math.max(6, level));
   }

@@ -14,6 +14,7 @@ import { type MenuEntry, menuButton, openMenu } from '../../ui/menu.ts';
 import { createTitle } from '../documents/title.ts';
 import { presetEntries } from '../inspector/preset.ts';
 import { selectionEntries } from '../selection-menu.ts';
+import { createSettings } from './settings.ts';
 import { createTermSelect } from './term-select.ts';
 
 export interface TopbarActions {
@@ -50,7 +51,8 @@ export function createTopbar(session: Session, actions: TopbarActions): HTMLElem
       type: 'button',
       class: 'icon-button',
       'aria-label': t('Light helpers'),
-      tip: t('Show where the lights are (H)'),
+      tip: t('Show where the lights are'),
+      keys: 'view.helpers',
     },
     icon('directional'),
   );
@@ -62,7 +64,8 @@ export function createTopbar(session: Session, actions: TopbarActions): HTMLElem
       type: 'button',
       class: 'icon-button',
       'aria-label': t('BRDF bench'),
-      tip: t('Plots of the selected material (B)'),
+      tip: t('Plots of the selected material'),
+      keys: 'view.bench',
     },
     icon('plot'),
   );
@@ -77,8 +80,8 @@ export function createTopbar(session: Session, actions: TopbarActions): HTMLElem
   const update = () => {
     helpers.classList.toggle('on', store.document.view.helpers);
     helpers.setAttribute('aria-pressed', String(store.document.view.helpers));
-    showHistory(undo, t('Undo'), store.canUndo, store.undoLabel, 'Ctrl+Z');
-    showHistory(redo, t('Redo'), store.canRedo, store.redoLabel, 'Ctrl+Shift+Z');
+    showHistory(undo, t('Undo'), store.canUndo, store.undoLabel);
+    showHistory(redo, t('Redo'), store.canRedo, store.redoLabel);
   };
   store.subscribe(update);
   update();
@@ -100,6 +103,7 @@ export function createTopbar(session: Session, actions: TopbarActions): HTMLElem
     bench,
     helpers,
     shot,
+    createSettings(session),
   );
 }
 
@@ -204,19 +208,14 @@ function addEntries({ store, state }: Session): MenuEntry[] {
 function historyButton(name: 'undo' | 'redo', run: () => void): HTMLButtonElement {
   const button = h('button', { type: 'button', class: 'icon-button' }, icon(name));
   button.dataset.action = name;
+  button.dataset.keys = `edit.${name}`;
   button.addEventListener('click', run);
   return button;
 }
 
-function showHistory(
-  button: HTMLButtonElement,
-  verb: string,
-  possible: boolean,
-  label: string | null,
-  shortcut: string,
-): void {
+function showHistory(button: HTMLButtonElement, verb: string, possible: boolean, label: string | null): void {
   button.disabled = !possible;
   const text = label ? `${verb}: ${translate(label)}` : verb;
   button.setAttribute('aria-label', text);
-  button.dataset.tip = `${text}  (${shortcut})`;
+  button.dataset.tip = text;
 }
