@@ -11,6 +11,10 @@ export type EntityKind = 'lights' | 'objects' | 'materials';
 export const renderings = ['interactive', 'traced', 'split', 'difference'] as const;
 export type Rendering = (typeof renderings)[number];
 
+/** What a drag in the picture does: nothing but look around, a box around what is to be selected, or a gizmo's handle. */
+export const tools = ['select', 'box', 'move', 'rotate', 'scale'] as const;
+export type Tool = (typeof tools)[number];
+
 /** A light, an object or a material of the document. */
 export interface Entity {
   readonly kind: EntityKind;
@@ -42,6 +46,13 @@ export interface EditorState {
   readonly bench: BenchSettings;
   /** The model of the scene whose source is being edited. */
   readonly source: string | null;
+  readonly tool: Tool;
+  /** Whose axes the gizmo has. */
+  readonly space: 'world' | 'local';
+  /** What several things turn and scale about: the middle of where they stand, or where the last one stands. */
+  readonly pivot: 'middle' | 'last';
+  /** Drags go in steps. */
+  readonly snap: boolean;
   readonly rendering: Rendering;
   /** The part of the viewport's width left of the divider, which is interactive. */
   readonly divider: number;
@@ -69,6 +80,10 @@ const initial: EditorState = {
   benchHeight: 348,
   bench: initialSettings,
   source: null,
+  tool: 'move',
+  space: 'world',
+  pivot: 'middle',
+  snap: false,
   rendering: 'interactive',
   divider: 0.5,
   tracingPaused: false,

@@ -44,6 +44,8 @@ export class DocumentStore {
   #document: Document;
   #done: Step[] = [];
   #undone: Step[] = [];
+  /** What could be redone before the last step. */
+  #forgotten: Step[] = [];
   #listeners = new Set<(event: StoreEvent) => void>();
 
   constructor(document: Document) {
@@ -79,11 +81,21 @@ export class DocumentStore {
     if (merge !== undefined && last?.merge === merge && this.#undone.length === 0) {
       last.after = after;
     } else {
+      this.#forgotten = this.#undone;
       this.#done.push({ label, before, after, merge });
       if (this.#done.length > maxSteps) this.#done.shift();
     }
     this.#undone = [];
     this.#change(after, label, 'edit');
+  }
+
+  /** Takes back a drag that is under way as though it had never been: what it made impossible to redo can be redone. */
+  abandon(merge: string): void {
+    const last = this.#done.at(-1);
+    if (last === undefined || last.merge !== merge) return;
+    this.#done.pop();
+    this.#undone = this.#forgotten;
+    this.#change(last.before, last.label, 'undo');
   }
 
   /** Ends a drag: the next edit is a step of its own, whatever its merge key. */
@@ -130,6 +142,7 @@ export class DocumentStore {
   open(document: Document): void {
     this.#done = [];
     this.#undone = [];
+    this.#forgotten = [];
     this.#change(freeze(document, true), `Open ${document.name}`, 'open');
   }
 
