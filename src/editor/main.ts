@@ -12,6 +12,7 @@ import { Actions } from './actions/action.ts';
 import { editActions } from './actions/edit.ts';
 import { fileActions } from './actions/file.ts';
 import { keptKeymap } from './actions/keymap.ts';
+import { learnActions, learning } from './actions/learn.ts';
 import { pageActions } from './actions/page.ts';
 import { selectionActions } from './actions/selection.ts';
 import { installShortcuts } from './actions/shortcuts.ts';
@@ -93,6 +94,7 @@ const opening: OpenContext = {
   state,
   assets,
   replaceDocument: (next) => workspace.replace(next, null),
+  openLesson: async (files) => (await learning(session)).openFiles(files),
 };
 const session: Session = {
   store,
@@ -105,6 +107,7 @@ const session: Session = {
   openFiles: (files, as) => openFiles(opening, files, as),
   chooseFiles,
   renameSelected: () => outliner.renameSelected(),
+  findInScene: () => outliner.search(),
   focusSelection: () => window.irradia.viewport?.focusSelection(),
   pickFocus: () => window.irradia.viewport?.pickFocus(),
 };
@@ -159,6 +162,7 @@ session.actions.add(fileActions(session, { open, saveAs, screenshot }));
 session.actions.add(editActions(session));
 session.actions.add(selectionActions(session));
 session.actions.add(viewActions(session));
+session.actions.add(learnActions(session));
 session.actions.add(pageActions(session));
 installShortcuts(session.actions);
 
@@ -172,6 +176,7 @@ window.irradia.ready
   .then(() => installOffline(() => workspace.reload()));
 // A page without a renderer takes files, too.
 void window.irradia.ready.then(importAddressed, importAddressed);
+void window.irradia.ready.then(openAddressedLesson, openAddressedLesson);
 
 async function adoptPreset(): Promise<void> {
   if (presetOfDevice && fresh) await presetOfDevice.adopt(fresh);
@@ -181,12 +186,19 @@ async function adoptPreset(): Promise<void> {
 async function addressedDocument(): Promise<Document> {
   if (isLink(location.hash)) return documentOfLink(location.hash);
   const query = new URLSearchParams(location.search);
-  const [scene, model] = [query.get('scene'), query.get('import')];
+  const [scene, model, lesson] = [query.get('scene'), query.get('import'), query.get('lesson')];
+  if (lesson !== null) return (await learning(session)).addressedDocument(lesson);
   // A model that is linked to is what the person wants to see, and nothing else.
   if (scene === null && model !== null) return modelStage(model.replace(/^.*\//, ''));
   const document = await loadScene(scene ?? undefined);
   if (isShipped(scene)) fresh = document;
   return document;
+}
+
+/** The text of the lesson whose scene is open. */
+async function openAddressedLesson(): Promise<void> {
+  const lesson = new URLSearchParams(location.search).get('lesson');
+  if (lesson !== null) await (await learning(session)).openAddressed(lesson);
 }
 
 /** What the page's address asks to bring into the scene. */

@@ -20,6 +20,8 @@ export interface Session {
   save(): void;
   /** Opens the name of what is selected for typing. */
   renameSelected(): void;
+  /** Puts the cursor into the outliner's search field. */
+  findInScene(): void;
   /** The next click on the picture says what the lens is focused on. */
   pickFocus(): void;
   /** Turns the camera to what is selected, or to everything. */

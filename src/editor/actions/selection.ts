@@ -110,6 +110,12 @@ export function selectionActions(session: Session): Action[] {
       enabled: grouped,
       run: () => selectGroups(session),
     },
+    {
+      id: 'edit.find',
+      title: t('Search the scene'),
+      keys: ['Ctrl+F'],
+      run: () => session.findInScene(),
+    },
     { id: 'edit.selectNothing', title: t('Select nothing'), keys: ['Escape'], run: () => state.select(null) },
   ];
 }

@@ -1,121 +1,249 @@
-/** The outliner: everything in the document by name; select, rename, hide, delete. */
-import type { Document } from '../../../scene/schema.ts';
-import { t } from '../../language/language.ts';
-import type { Session } from '../../session.ts';
-import type { EntityKind, Selection } from '../../state.ts';
-import { h } from '../../ui/dom.ts';
-import { type IconName, icon, isIcon } from '../../ui/icons.ts';
-import { createRow, type OutlinerRow } from './row.ts';
+/** The outliner: everything in the document by name; select, search, rename, group, hide, lock, delete. */
 
-const GROUPS: readonly { kind: EntityKind; title: string }[] = [
-  { kind: 'lights', title: t('Lights') },
-  { kind: 'objects', title: t('Objects') },
-  { kind: 'materials', title: t('Materials') },
-];
+import { rename } from '../../../scene/commands.ts';
+import { isMember } from '../../../scene/entity.ts';
+import { groupOf, groupsAround, unitsOf } from '../../../scene/groups.ts';
+import { attempt, renameEntity } from '../../commands.ts';
+import { t } from '../../language/language.ts';
+import { toggleLocked, toggleVisible } from '../../selection.ts';
+import type { Session } from '../../session.ts';
+import type { Entity } from '../../state.ts';
+import { h } from '../../ui/dom.ts';
+import { openMenu } from '../../ui/menu.ts';
+import { selectionEntries } from '../selection-menu.ts';
+import { treeMove } from './keys.ts';
+import { createRow, keyOfRow, type OutlinerRow, partOf, rowId } from './row.ts';
+import { createSearch } from './search.ts';
+import { between, chosenIn, entitiesOf, toggled, union } from './selecting.ts';
+import { entityKey, groupKey, sectionKey, type TreeRow, treeRows } from './tree.ts';
+import { createWindow } from './window.ts';
+
+/** CSS pixels; style/outliner.css has the same. */
+const ROW_HEIGHT = 24;
 
 export interface Outliner {
   readonly element: HTMLElement;
   /** Opens the name of what is selected for typing. */
   renameSelected(): void;
+  /** Puts the cursor into the search field. */
+  search(): void;
 }
 
 export function createOutliner(session: Session): Outliner {
   const { store, state } = session;
-  const rows = new Map<string, OutlinerRow>();
-  const sceneRow = h(
-    'button',
-    { type: 'button', class: 'outliner-row scene-row', tip: t('Camera, environment and view') },
-    icon('scene'),
-    h('span', { class: 'name' }, t('Scene')),
-  );
-  sceneRow.addEventListener('click', () => state.select(null));
+  const folded = new Set<string>();
+  const elements = new Map<string, OutlinerRow>();
+  let rows: readonly TreeRow[] = [];
+  let query = '';
+  /** Where the keys are, and from where a range is selected. */
+  let current = 'scene';
+  let anchor = 'scene';
+  let renaming = false;
 
-  const lists = GROUPS.map(({ kind, title }) => {
-    const count = h('span', { class: 'count' });
-    const list = h('div', { class: 'outliner-list', role: 'listbox', 'aria-label': title });
-    const heading = h('summary', {}, title, count);
-    return {
-      kind,
-      list,
-      count,
-      element: h('details', { class: 'outliner-group', open: true }, heading, list),
-    };
+  const list = h('div', {
+    class: 'outliner-tree',
+    role: 'tree',
+    tabindex: 0,
+    'aria-label': t('Outliner'),
+    'aria-multiselectable': 'true',
   });
-  const element = h(
-    'nav',
-    { class: 'outliner', 'aria-label': t('Outliner') },
-    sceneRow,
-    ...lists.map((list) => list.element),
-  );
+  const view = createWindow(list, ROW_HEIGHT, draw);
+  const search = createSearch({
+    onQuery(next) {
+      query = next;
+      rebuild();
+      view.element.scrollTop = 0;
+    },
+    onLeave: (intoList) => {
+      const first = rows.findIndex(({ target }) => target.type === 'entity');
+      if (intoList && rows[first]) choose(first, 'select');
+      list.focus();
+    },
+  });
+  const element = h('nav', { class: 'outliner', 'aria-label': t('Outliner') }, search.element, view.element);
 
-  const update = (document: Document, previous: Document | null) => {
-    for (const { kind, list, count } of lists) {
-      const entities = document[kind];
-      if (previous && entities === previous[kind]) continue;
-      count.textContent = String(Object.keys(entities).length);
-      let before: Element | null = list.firstElementChild;
-      for (const [id, entity] of Object.entries(entities)) {
-        const key = `${kind} ${id}`;
-        let row = rows.get(key);
-        if (!row) {
-          row = createRow(session, kind, id);
-          rows.set(key, row);
-        }
-        row.show(entity.name, iconOf(document, kind, id), 'visible' in entity ? entity.visible : null);
-        if (row.element !== before) list.insertBefore(row.element, before);
-        else before = before.nextElementSibling;
+  function rebuild(): void {
+    rows = treeRows(store.document, { folded, query });
+    if (indexOf(current) < 0) current = rows[0]?.key ?? '';
+    search.showFound(query ? rows.filter(({ target }) => target.type === 'entity').length : null);
+    view.update(rows.length);
+  }
+
+  function draw(first: number, last: number): void {
+    const near = rows.slice(first, last);
+    const wanted = new Set(near.map(({ key }) => key));
+    // The name that is being typed stays.
+    if (!renaming) for (const [key, { element: old }] of elements) if (!wanted.has(key)) drop(key, old);
+    const chosen = chosenIn(store.document, state.value.selected);
+    let before: Element | null = list.firstElementChild;
+    near.forEach((row, i) => {
+      let shown = elements.get(row.key);
+      if (!shown) {
+        shown = createRow(row.key);
+        elements.set(row.key, shown);
       }
-      for (const id of previous ? Object.keys(previous[kind]) : []) {
-        if (id in entities) continue;
-        rows.get(`${kind} ${id}`)?.element.remove();
-        rows.delete(`${kind} ${id}`);
-      }
+      shown.element.style.top = `${(first + i) * ROW_HEIGHT}px`;
+      shown.show(row, chosen(row.target), row.key === current);
+      if (shown.element !== before) list.insertBefore(shown.element, before);
+      else before = before.nextElementSibling;
+    });
+    list.setAttribute('aria-activedescendant', rowId(current));
+  }
+
+  function drop(key: string, old: Element): void {
+    old.remove();
+    elements.delete(key);
+  }
+
+  const indexOf = (key: string) => rows.findIndex((row) => row.key === key);
+  const rowOf = (event: Event): number => {
+    const row = event.target instanceof Element ? event.target.closest('.outliner-row') : null;
+    return row ? indexOf(keyOfRow(row)) : -1;
+  };
+
+  /** Selects a row alone, with all from the anchor, or as well. */
+  function choose(index: number, how: 'select' | 'extend' | 'toggle' | 'add'): void {
+    const row = rows[index];
+    if (!row) return;
+    const { document } = store;
+    const own = entitiesOf(document, row.target);
+    const { selected } = state.value;
+    current = row.key;
+    const from = indexOf(anchor);
+    if (how === 'extend' && from >= 0) state.selectAll(between(document, rows, from, index));
+    else if (how === 'add' && from >= 0)
+      state.selectAll(union(selected, between(document, rows, from, index)));
+    else {
+      anchor = row.key;
+      if (how === 'toggle') state.selectAll(toggled(selected, own));
+      // A title has nothing that could be selected, and takes nothing away.
+      else if (row.target.type !== 'section') state.selectAll(own);
     }
-  };
-  const select = (selection: Selection, reveal: boolean) => {
-    sceneRow.classList.toggle('selected', selection === null);
-    const key = selection && `${selection.kind} ${selection.id}`;
-    for (const [other, row] of rows) row.select(other === key);
-    if (reveal && key) rows.get(key)?.element.scrollIntoView({ block: 'nearest' });
-  };
+    view.update(rows.length);
+    view.reveal(index);
+  }
+
+  function fold(key: string, isFolded: boolean): void {
+    if (isFolded) folded.add(key);
+    else folded.delete(key);
+    rebuild();
+  }
+
+  function renameRow(index: number): void {
+    const row = rows[index];
+    if (!row || (row.target.type !== 'entity' && row.target.type !== 'group')) return;
+    view.reveal(index);
+    view.update(rows.length);
+    const { target } = row;
+    renaming = true;
+    elements.get(row.key)?.rename((name) => {
+      renaming = false;
+      if (name !== null && name !== row.name) {
+        if (target.type === 'entity') renameEntity(store, target.entity.kind, target.entity.id, name);
+        else attempt(t('Not renamed'), () => rename(store, 'groups', target.id, name));
+      }
+      list.focus({ preventScroll: true });
+      view.update(rows.length);
+    });
+  }
+
+  list.addEventListener('click', (event) => {
+    const index = rowOf(event);
+    const row = rows[index];
+    if (!row || event.target instanceof HTMLInputElement) return;
+    const part = partOf(event);
+    const members = entitiesOf(store.document, row.target).filter(isMember);
+    const held = event.ctrlKey || event.metaKey;
+    if (part === 'eye') toggleVisible(session, members);
+    else if (part === 'lock') toggleLocked(session, members);
+    else if (row.expanded !== null && (part === 'twisty' || row.target.type === 'section'))
+      fold(row.key, row.expanded);
+    else if (event.shiftKey) choose(index, held ? 'add' : 'extend');
+    else choose(index, held ? 'toggle' : 'select');
+  });
+  list.addEventListener('dblclick', (event) => {
+    if (partOf(event) === 'row') renameRow(rowOf(event));
+  });
+  list.addEventListener('contextmenu', (event) => {
+    event.preventDefault();
+    const at = rowOf(event);
+    const index = at >= 0 ? at : indexOf(current);
+    const row = rows[index];
+    const place = row && elements.get(row.key);
+    if (!row || !place) return;
+    const own = entitiesOf(store.document, row.target);
+    if (!own.every((entity) => state.isSelected(entity)) || own.length === 0) choose(index, 'select');
+    openMenu(place.element, row.name, selectionEntries(session));
+  });
+  list.addEventListener('keydown', (event) => {
+    if (event.target !== list) return;
+    const at = indexOf(current);
+    const move = treeMove(event, rows, at);
+    const row = rows[at];
+    if (!move || !row) return;
+    event.preventDefault();
+    if (move === 'choose' || move === 'toggle') {
+      if (row.target.type === 'section') fold(row.key, row.expanded === true);
+      else choose(at, move === 'toggle' ? 'toggle' : 'select');
+    } else if ('fold' in move) fold(row.key, move.fold);
+    else if (move.how === 'walk') {
+      current = rows[move.to]?.key ?? current;
+      view.update(rows.length);
+      view.reveal(move.to);
+    } else choose(move.to, move.how);
+  });
+
+  /** Brings what was selected elsewhere into sight. */
+  function reveal(entity: Entity | null): void {
+    const key = entity ? entityKey(entity) : 'scene';
+    const own = indexOf(current);
+    // The keys are on it, or on the group that has it.
+    const isThere =
+      rows[own] && entity && entitiesOf(store.document, rows[own].target).some((e) => entityKey(e) === key);
+    if (isThere) return;
+    if (entity) {
+      const group = isMember(entity) ? groupOf(store.document, entity) : null;
+      const around = [...groupsAround(store.document.groups, group)];
+      const unfolded = [...around.map(groupKey), sectionKey(group === null ? entity.kind : 'groups')];
+      const closed = unfolded.filter((other) => folded.delete(other));
+      if (closed.length > 0) rebuild();
+    }
+    const index = indexOf(key);
+    if (index < 0) return;
+    current = key;
+    anchor = key;
+    view.reveal(index);
+  }
 
   store.subscribe(({ document, previous, reason }) => {
-    if (reason === 'open') {
-      for (const row of rows.values()) row.element.remove();
-      rows.clear();
-    }
-    update(document, reason === 'open' ? null : previous);
-    select(state.value.selection, false);
+    if (reason === 'open') folded.clear();
+    const parts = ['groups', 'lights', 'objects', 'materials'] as const;
+    if (parts.some((part) => document[part] !== previous[part])) rebuild();
   });
-  state.subscribe(({ selection }, previous) => {
-    if (selection !== previous.selection) select(selection, true);
+  state.subscribe(({ selected, selection }, previous) => {
+    if (selected === previous.selected) return;
+    reveal(selection);
+    view.update(rows.length);
   });
-  element.addEventListener('keydown', (event) => moveFocus(event, element));
-  update(store.document, null);
-  select(state.value.selection, false);
+  // The height of what is seen is known only on the page.
+  new ResizeObserver(() => view.update(rows.length)).observe(view.element);
+  rebuild();
 
   return {
     element,
+    search: () => search.focus(),
     renameSelected() {
-      const { selection } = state.value;
-      if (selection) rows.get(`${selection.kind} ${selection.id}`)?.rename();
+      const { selection, selected } = state.value;
+      if (!selection) return;
+      const at = rows[indexOf(current)];
+      const { groups, loose } = unitsOf(store.document, selected);
+      const [group] = groups;
+      const isGroup = at?.target.type === 'group' && at.target.id === group;
+      if (isGroup && groups.length === 1 && loose.length === 0) renameRow(indexOf(groupKey(at.target.id)));
+      else {
+        reveal(selection);
+        renameRow(indexOf(entityKey(selection)));
+      }
     },
   };
-}
-
-function iconOf(document: Document, kind: EntityKind, id: string): IconName {
-  if (kind === 'materials') return 'material';
-  const type = kind === 'lights' ? document.lights[id]?.type : document.objects[id]?.geometry.type;
-  return type && isIcon(type) ? type : 'mesh';
-}
-
-/** Arrow keys walk through the rows, as in a list. */
-function moveFocus(event: KeyboardEvent, element: HTMLElement): void {
-  if (event.key !== 'ArrowDown' && event.key !== 'ArrowUp') return;
-  if (!(event.target instanceof HTMLElement) || !event.target.classList.contains('outliner-row')) return;
-  event.preventDefault();
-  const all = [...element.querySelectorAll<HTMLElement>('.outliner-row')].filter((row) => row.offsetParent);
-  const next = all[all.indexOf(event.target) + (event.key === 'ArrowDown' ? 1 : -1)];
-  next?.focus();
-  next?.click();
 }

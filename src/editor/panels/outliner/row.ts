@@ -1,90 +1,110 @@
-/** One row of the outliner. */
-import { renameEntity } from '../../commands.ts';
+/** One row of the outliner. What it stands for is told by its key; the outliner hears its clicks. */
 import { t } from '../../language/language.ts';
-import { toggleVisible } from '../../selection.ts';
-import type { Session } from '../../session.ts';
-import type { EntityKind } from '../../state.ts';
 import { h } from '../../ui/dom.ts';
-import { type IconName, icon, setIcon } from '../../ui/icons.ts';
-import { openMenu } from '../../ui/menu.ts';
-import { selectionEntries } from '../selection-menu.ts';
+import { icon, setIcon } from '../../ui/icons.ts';
+import type { Chosen } from './selecting.ts';
+import type { TreeRow } from './tree.ts';
+
+/** What a click on a row can mean. */
+export type RowPart = 'row' | 'twisty' | 'eye' | 'lock';
 
 export interface OutlinerRow {
   readonly element: HTMLElement;
-  /** `visible` is null for what cannot be hidden. */
-  show(name: string, iconName: IconName, visible: boolean | null): void;
-  select(selected: boolean): void;
-  rename(): void;
+  show(row: TreeRow, chosen: Chosen, isCurrent: boolean): void;
+  /** Opens the name for typing; calls back with the new one, or null. */
+  rename(onDone: (name: string | null) => void): void;
 }
 
-export function createRow(session: Session, kind: EntityKind, id: string): OutlinerRow {
-  const { store, state } = session;
+const ID_START = 'outliner-';
+export const rowId = (key: string): string => `${ID_START}${key}`;
+export const keyOfRow = (row: Element): string => row.id.slice(ID_START.length);
+
+/** The part of a row that an event happened on. */
+export function partOf(event: Event): RowPart {
+  const target = event.target instanceof Element ? event.target : null;
+  if (target?.closest('.twisty')) return 'twisty';
+  if (target?.closest('.eye')) return 'eye';
+  return target?.closest('.lock') ? 'lock' : 'row';
+}
+
+export function createRow(key: string): OutlinerRow {
+  const twisty = h('span', { class: 'twisty' }, icon('chevronDown'));
   const symbol = icon('mesh');
   const label = h('span', { class: 'name' });
-  const eye = h('button', { type: 'button', class: 'icon-button eye', tabindex: -1 }, icon('eye'));
-  const element = h('div', { class: 'outliner-row', role: 'option', tabindex: 0 }, symbol, label, eye);
-  element.dataset.entity = `${kind}/${id}`;
-  let visible: boolean | null = null;
-
-  element.addEventListener('click', () => state.select({ kind, id }));
-  element.addEventListener('dblclick', (event) => {
-    if (event.target !== eye && !eye.contains(event.target as Node)) rename();
-  });
-  element.addEventListener('contextmenu', (event) => {
-    event.preventDefault();
-    state.select({ kind, id });
-    openMenu(label, label.textContent ?? '', selectionEntries(session));
-  });
-  element.addEventListener('keydown', (event) => {
-    if (event.target !== element || (event.key !== 'Enter' && event.key !== ' ')) return;
-    event.preventDefault();
-    state.select({ kind, id });
-  });
-  eye.addEventListener('click', (event) => {
-    event.stopPropagation();
-    if (visible !== null && kind !== 'materials') toggleVisible(session, [{ kind, id }]);
-  });
-
-  const rename = () => {
-    const input = h('input', { type: 'text', class: 'rename', 'aria-label': t('Name'), maxlength: 200 });
-    input.value = label.textContent ?? '';
-    label.replaceWith(input);
-    input.focus();
-    input.select();
-    let open = true;
-    const close = (keep: boolean) => {
-      if (!open) return;
-      open = false;
-      input.replaceWith(label);
-      const name = input.value.trim();
-      if (keep && name) renameEntity(store, kind, id, name);
-    };
-    input.addEventListener('blur', () => close(true));
-    input.addEventListener('keydown', (event) => {
-      event.stopPropagation();
-      if (event.key === 'Enter' || event.key === 'Escape') {
-        close(event.key === 'Enter');
-        element.focus();
-      }
-    });
-  };
+  const count = h('span', { class: 'count' });
+  const button = (name: 'lock' | 'eye') =>
+    h('button', { type: 'button', class: `icon-button ${name}`, tabindex: -1 }, icon(name));
+  const [lock, eye] = [button('lock'), button('eye')];
+  const element = h(
+    'div',
+    { class: 'outliner-row', role: 'treeitem', id: rowId(key) },
+    twisty,
+    symbol,
+    label,
+    count,
+    lock,
+    eye,
+  );
 
   return {
     element,
-    show(name, iconName, nextVisible) {
+    show(row, chosen, isCurrent) {
+      const { name, target, level, visible, locked } = row;
       if (label.textContent !== name) label.textContent = name;
       label.title = name;
-      setIcon(symbol, iconName);
-      visible = nextVisible;
+      element.style.setProperty('--level', String(Math.min(level, MAX_INDENT)));
+      element.classList.toggle('section-row', target.type === 'section');
+      element.classList.toggle('scene-row', target.type === 'scene');
+      if (target.type === 'entity') element.dataset.entity = key;
+      if (target.type === 'group') element.dataset.group = target.id;
+      symbol.toggleAttribute('hidden', row.icon === null);
+      if (row.icon) setIcon(symbol, row.icon);
+      twisty.classList.toggle('leaf', row.expanded === null);
+      twisty.classList.toggle('folded', row.expanded === false);
+      count.textContent = row.count === null ? '' : String(row.count);
       eye.hidden = visible === null;
-      eye.setAttribute('aria-label', visible ? t('Hide {name}', { name }) : t('Show {name}', { name }));
+      lock.hidden = locked === null;
       setIcon(eye, visible ? 'eye' : 'eyeOff');
+      setIcon(lock, locked ? 'lock' : 'lockOpen');
+      eye.setAttribute('aria-label', visible ? t('Hide {name}', { name }) : t('Show {name}', { name }));
+      lock.setAttribute('aria-label', locked ? t('Unlock {name}', { name }) : t('Lock {name}', { name }));
       element.classList.toggle('invisible', visible === false);
+      element.classList.toggle('locked', locked === true);
+      element.classList.toggle('selected', chosen === 'all');
+      element.classList.toggle('partly', chosen === 'some');
+      element.classList.toggle('current', isCurrent);
+      for (const [attribute, value] of [
+        ['aria-level', level],
+        ['aria-posinset', row.position],
+        ['aria-setsize', row.siblings],
+        ['aria-selected', target.type === 'section' ? null : chosen === 'all'],
+        ['aria-expanded', row.expanded],
+      ] as const) {
+        if (value === null) element.removeAttribute(attribute);
+        else element.setAttribute(attribute, String(value));
+      }
     },
-    select(selected) {
-      element.classList.toggle('selected', selected);
-      element.setAttribute('aria-selected', String(selected));
+    rename(onDone) {
+      const input = h('input', { type: 'text', class: 'rename', 'aria-label': t('Name'), maxlength: 200 });
+      input.value = label.textContent ?? '';
+      label.replaceWith(input);
+      input.focus();
+      input.select();
+      let open = true;
+      const close = (keep: boolean) => {
+        if (!open) return;
+        open = false;
+        input.replaceWith(label);
+        onDone(keep ? input.value.trim() || null : null);
+      };
+      input.addEventListener('blur', () => close(true));
+      input.addEventListener('keydown', (event) => {
+        event.stopPropagation();
+        if (event.key === 'Enter' || event.key === 'Escape') close(event.key === 'Enter');
+      });
     },
-    rename,
   };
 }
+
+/** Deeper rows would have no room for their names. */
+const MAX_INDENT = 9;

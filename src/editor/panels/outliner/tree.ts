@@ -1,0 +1,184 @@
+/** What the outliner shows, as plain rows: the scene, the groups with what is in them, then the rest by kind. */
+import type { EntityKind, MemberRef } from '../../../scene/entity.ts';
+import { geometryNames } from '../../../scene/geometry-schema.ts';
+import type { Document } from '../../../scene/schema.ts';
+import { t, translate } from '../../language/language.ts';
+import type { Entity } from '../../state.ts';
+import { type IconName, isIcon } from '../../ui/icons.ts';
+
+/** What a row stands for. */
+export type RowTarget =
+  | { readonly type: 'scene' }
+  | { readonly type: 'section'; readonly kind: EntityKind | 'groups' }
+  | { readonly type: 'group'; readonly id: string }
+  | { readonly type: 'entity'; readonly entity: Entity };
+
+export interface TreeRow {
+  /** Of what it stands for; no other row has it. */
+  readonly key: string;
+  readonly target: RowTarget;
+  readonly name: string;
+  readonly icon: IconName | null;
+  /** From 1. */
+  readonly level: number;
+  /** Its place among the rows of the same parent, from 1, and their number. */
+  position: number;
+  siblings: number;
+  /** Null for what has nothing in it. */
+  readonly expanded: boolean | null;
+  /** Null for what cannot be hidden or locked, or has nothing in it that could. */
+  readonly visible: boolean | null;
+  readonly locked: boolean | null;
+  /** How many rows are in a section; null for the others. */
+  readonly count: number | null;
+}
+
+export interface TreeOptions {
+  /** Keys of the rows that are folded. */
+  readonly folded: ReadonlySet<string>;
+  /** Words that what is shown has in its name or kind; nothing is folded then. */
+  readonly query: string;
+}
+
+const SECTIONS: readonly { kind: EntityKind; title: string }[] = [
+  { kind: 'lights', title: t('Lights') },
+  { kind: 'objects', title: t('Objects') },
+  { kind: 'materials', title: t('Materials') },
+];
+
+export const entityKey = ({ kind, id }: Entity): string => `${kind}/${id}`;
+export const groupKey = (id: string): string => `groups/${id}`;
+export const sectionKey = (kind: EntityKind | 'groups'): string => `section/${kind}`;
+
+interface Item {
+  readonly row: TreeRow;
+  readonly children: readonly Item[];
+}
+
+export function treeRows(document: Document, { folded, query }: TreeOptions): TreeRow[] {
+  const words = query.toLocaleLowerCase().split(/\s+/).filter(Boolean);
+  const contents = contentsOf(document);
+  const searching = words.length > 0;
+  const isFolded = (key: string) => !searching && folded.has(key);
+  const matches = (...texts: string[]) => {
+    const text = texts.join(' ').toLocaleLowerCase();
+    return words.every((word) => text.includes(word));
+  };
+
+  const entityItem = (entity: Entity, level: number, all: boolean): Item | null => {
+    const { kind, id } = entity;
+    const found = document[kind][id];
+    if (!found) return null;
+    const { icon, texts } = kindOf(document, entity);
+    const { visible, locked } = 'visible' in found ? found : { visible: null, locked: null };
+    const state = [visible === false ? t('hidden') : '', locked ? t('locked') : ''];
+    if (!all && !matches(found.name, ...texts, ...state)) return null;
+    const target = { type: 'entity', entity } as const;
+    return item({ key: entityKey(entity), target, name: found.name, icon, level, visible, locked });
+  };
+  const groupItem = (id: string, level: number, all: boolean): Item | null => {
+    const group = document.groups[id];
+    const inside = contents.get(id);
+    if (!group || !inside) return null;
+    const name = group.name;
+    const shown = all || matches(name, t('group'));
+    const children = [
+      ...inside.groups.map((child) => groupItem(child, level + 1, shown)),
+      ...inside.members.map((member) => entityItem(member, level + 1, shown)),
+    ].filter((child) => child !== null);
+    if (children.length === 0 && !shown) return null;
+    const all_ = (field: 'visible' | 'locked', value: boolean) =>
+      children.every(({ row }) => row[field] === null || row[field] === value);
+    const key = groupKey(id);
+    return item(
+      {
+        key,
+        target: { type: 'group', id },
+        name,
+        icon: 'folder',
+        level,
+        expanded: children.length > 0 ? !isFolded(key) : null,
+        visible: children.length > 0 ? !all_('visible', false) : null,
+        locked: children.length > 0 ? all_('locked', true) : null,
+      },
+      children,
+    );
+  };
+  const sectionItem = (kind: EntityKind | 'groups', title: string, children: (Item | null)[]): Item => {
+    const there = children.filter((child) => child !== null);
+    const key = sectionKey(kind);
+    const target = { type: 'section', kind } as const;
+    const expanded = !isFolded(key);
+    return item({ key, target, name: title, icon: null, level: 1, expanded, count: there.length }, there);
+  };
+
+  const top = contents.get(null) ?? { groups: [], members: [] };
+  const loose = (kind: EntityKind): readonly Entity[] =>
+    kind === 'materials'
+      ? Object.keys(document.materials).map((id) => ({ kind, id }))
+      : top.members.filter((member) => member.kind === kind);
+  const sections = SECTIONS.map(({ kind, title }) =>
+    sectionItem(
+      kind,
+      title,
+      loose(kind).map((entity) => entityItem(entity, 2, !searching)),
+    ),
+  );
+  if (top.groups.length > 0)
+    sections.unshift(
+      sectionItem(
+        'groups',
+        t('Groups'),
+        top.groups.map((id) => groupItem(id, 2, !searching)),
+      ),
+    );
+  const scene = item({ key: 'scene', target: { type: 'scene' }, name: t('Scene'), icon: 'scene', level: 1 });
+  const rows: TreeRow[] = [];
+  flatten(searching ? sections.filter(({ children }) => children.length > 0) : [scene, ...sections], rows);
+  return rows;
+}
+
+function item(
+  row: Partial<TreeRow> & Pick<TreeRow, 'key' | 'target' | 'name' | 'icon' | 'level'>,
+  children: readonly Item[] = [],
+): Item {
+  const nothing = { position: 1, siblings: 1, expanded: null, visible: null, locked: null, count: null };
+  return { row: { ...nothing, ...row }, children };
+}
+
+function flatten(items: readonly Item[], into: TreeRow[]): void {
+  items.forEach(({ row, children }, i) => {
+    row.position = i + 1;
+    row.siblings = items.length;
+    into.push(row);
+    if (row.expanded) flatten(children, into);
+  });
+}
+
+interface Contents {
+  readonly groups: string[];
+  readonly members: MemberRef[];
+}
+
+/** What is directly in each group; null is what is in none. */
+function contentsOf(document: Document): ReadonlyMap<string | null, Contents> {
+  const found = new Map<string | null, Contents>([[null, { groups: [], members: [] }]]);
+  for (const id of Object.keys(document.groups)) found.set(id, { groups: [], members: [] });
+  for (const [id, { parent }] of Object.entries(document.groups)) found.get(parent)?.groups.push(id);
+  for (const kind of ['lights', 'objects'] as const)
+    for (const [id, { group }] of Object.entries<{ group: string | null }>(document[kind]))
+      found.get(group)?.members.push({ kind, id });
+  return found;
+}
+
+/** The symbol of what it is, and the words by which it is found. */
+export function kindOf(document: Document, { kind, id }: Entity): { icon: IconName; texts: string[] } {
+  if (kind === 'materials')
+    return { icon: 'material', texts: [t('material'), document.materials[id]?.model ?? ''] };
+  if (kind === 'lights') {
+    const type = document.lights[id]?.type ?? 'point';
+    return { icon: type, texts: [t('light'), translate(`${type} light`)] };
+  }
+  const type = document.objects[id]?.geometry.type ?? 'gltf';
+  return { icon: isIcon(type) ? type : 'mesh', texts: [t('object'), translate(geometryNames[type])] };
+}
