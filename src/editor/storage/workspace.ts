@@ -236,7 +236,7 @@ export class Workspace {
     const document = await this.#storage.loadVersion(version);
     const label =
       version.name === null
-        ? t('Restore the version of {time}', { time: timeText(version.time) })
+        ? t('Restore the version kept {time}', { time: timeText(version.time) })
         : t('Restore {name}', { name: version.name });
     this.#store.edit(label, (draft) => {
       Object.assign(draft, document);

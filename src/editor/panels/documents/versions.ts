@@ -100,5 +100,5 @@ function row(context: DocumentsContext, kept: KeptDocument, version: Version): H
 }
 
 function titleOf({ name, time }: Version): string {
-  return name === null ? t('the version of {time}', { time: timeText(time) }) : `“${name}”`;
+  return name === null ? t('the version kept {time}', { time: timeText(time) }) : `“${name}”`;
 }
