@@ -28,13 +28,11 @@ import { AlbedoTable, alwaysRefreshed } from './albedo-table.ts';
 import { EnvironmentLightNode } from './environment-light.ts';
 import { frameContext, frameContextKeys } from './frame-context.ts';
 import { highlightAlpha } from './generic-sampler.ts';
+import { BRIGHTEST_HALF } from './half-float.ts';
 import { turnTangentWithInstance } from './instance-tangent.ts';
 import { BrdfLightingModel } from './lighting-model.ts';
 import { type Channel, derivedNodes, type ParameterMap, parameterNodes } from './parameter-nodes.ts';
 import { dependsOnTangent, turnsWithTangent } from './tangent-dependence.ts';
-
-/** (2 - 2^-10) 2^15. */
-const BRIGHTEST_HALF = 65504;
 
 /** What else is near lights the surface, even where there are no lamps: three.js must ask the lighting model. */
 class NearLightNode extends LightingNode {

@@ -2,12 +2,11 @@
 import { float, uv, vec2, vec4 } from 'three/tsl';
 import { FloatType, type Node, type Texture, type WebGPURenderer } from 'three/webgpu';
 import { adapted, METER_CELLS, meter } from '../color/exposure.ts';
+import { BRIGHTEST_HALF } from '../material/half-float.ts';
 import { inputTexture, Pass } from './frame/pass.ts';
 
 /** Looks into each cell along each side; between four texels each, so that a cell of 8 x 8 is averaged whole. */
 const TAPS = 4;
-/** What half floats hold; a pixel that is more must not make the mean infinite. */
-const MOST = 65504;
 
 export class ExposureMeter {
   /** EV, as of now; null before anything was metered. */
@@ -28,7 +27,8 @@ export class ExposureMeter {
       const { r, g, b } = this.#source.sample(uv().add(vec2(x!, y!)));
       // Of ITU-R BT.709-6, item 3.2, as luminance() in src/color.
       const nits = r.mul(0.2126).add(g.mul(0.7152)).add(b.mul(0.0722));
-      sum = sum.add(nits.clamp(0, MOST)) as Node<'float'>;
+      // An infinite pixel must not make the mean infinite.
+      sum = sum.add(nits.clamp(0, BRIGHTEST_HALF)) as Node<'float'>;
     }
     this.#pass = new Pass('exposure meter', vec4(sum.div(TAPS * TAPS), 0, 0, 1), { type: FloatType });
   }

@@ -7,6 +7,7 @@
  */
 import { mix, texture, uniform, uv, vec2, vec4 } from 'three/tsl';
 import { type Node, type RenderTarget, Vector2, type WebGPURenderer } from 'three/webgpu';
+import { BRIGHTEST_HALF } from '../../material/half-float.ts';
 import type { Effects } from '../../scene/effects-schema.ts';
 import type { Effect, EffectDefinition, EffectSettings } from '../frame/effect.ts';
 import { inputTexture, Pass } from '../frame/pass.ts';
@@ -17,8 +18,6 @@ const LEVELS = 7;
 
 /** How many times as much light is spread behind the thickest dirt, less one. */
 const DIRTIEST = 12;
-/** The largest half float. */
-const MOST = 65504;
 
 /** Offsets in texels of the source, and weights; each of its five boxes of four has a mean of 1. */
 const DOWN: readonly (readonly [x: number, y: number, weight: number])[] = [
@@ -109,7 +108,7 @@ class Level {
     let sum: Node<'vec3'> | null = null;
     for (const [x, y, weight] of taps) {
       // An infinite pixel would be spread over all of them.
-      const look = this.#source.sample(uv().add(vec2(x, y).mul(this.#texel))).rgb.clamp(0, MOST);
+      const look = this.#source.sample(uv().add(vec2(x, y).mul(this.#texel))).rgb.clamp(0, BRIGHTEST_HALF);
       const tap = look.mul(weight);
       sum = (sum === null ? tap : sum.add(tap)) as Node<'vec3'>;
     }

@@ -8,6 +8,7 @@
  */
 import { Fn, float, If, mix, uniform, uv, vec2, vec3, vec4 } from 'three/tsl';
 import type { Node, RenderTarget, TextureNode, WebGPURenderer } from 'three/webgpu';
+import { BRIGHTEST_HALF } from '../../material/half-float.ts';
 import type { Effect, EffectDefinition } from '../frame/effect.ts';
 import type { FrameInputs } from '../frame/inputs.ts';
 import { motionAt } from '../frame/motion.ts';
@@ -25,8 +26,6 @@ const MOVING_WEIGHT = 0.1;
 const MOVING_COUNT = 2;
 /** Standard deviations of the colours around a pixel by which its past may differ; 1 flickers, 2 leaves ghosts. */
 const SPREAD = 1.25;
-/** The largest half float. */
-const MOST = 65504;
 
 /** The van der Corput sequence: Halton's points have it in base 2 and 3. */
 export function radicalInverse(index: number, base: number): number {
@@ -151,7 +150,7 @@ class Temporal implements Effect {
 
 const AROUND = [-1, 0, 1].flatMap((y) => [-1, 0, 1].map((x) => [x, y] as const)).filter(([x, y]) => x || y);
 
-const bounded = (color: Node): Vec3 => (color as Vec3).clamp(0, MOST) as Vec3;
+const bounded = (color: Node): Vec3 => (color as Vec3).clamp(0, BRIGHTEST_HALF) as Vec3;
 const luma = (color: Vec3): Float => color.x.mul(0.25).add(color.y.mul(0.5)).add(color.z.mul(0.25)) as Float;
 
 /** Luma and two differences of colours, along which colours of a picture vary independently. */

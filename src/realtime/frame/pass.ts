@@ -10,6 +10,7 @@ import {
   type TextureNode,
   type WebGPURenderer,
 } from 'three/webgpu';
+import { BRIGHTEST_HALF } from '../../material/half-float.ts';
 
 /** One full-screen draw into a target of its own. */
 export class Pass {
@@ -41,9 +42,6 @@ export class Pass {
     (this.#quad.material as NodeMaterial).dispose();
   }
 }
-
-/** (2 - 2^-10) 2^15. */
-const BRIGHTEST_HALF = 65504;
 
 /** What half floats can hold: of what is brighter GPUs make infinities, and of those the next pass NaN, which filters spread. */
 function withinHalf(value: Node): Node {

@@ -1,6 +1,7 @@
 /** What is gathered from: the picture at half its size with its circles, and how far those before the focus reach. */
 import { Fn, float, If, Loop, uv, vec2, vec4 } from 'three/tsl';
 import type { Node, TextureNode } from 'three/webgpu';
+import { BRIGHTEST_HALF } from '../../../material/half-float.ts';
 import type { FrameInputs } from '../../frame/inputs.ts';
 import { type CircleOfConfusion, MOST_RADIUS } from './circle.ts';
 
@@ -17,8 +18,6 @@ export interface Shared {
   readonly halfSize: Node<'vec2'>;
 }
 
-/** The largest half float. */
-const MOST = 65504;
 /** Of what is sharp beside what is not. */
 const LEAST_WEIGHT = 1e-3;
 
@@ -35,7 +34,7 @@ export function halved({ inputs, circle, halfSize }: Shared, picture: TextureNod
         .min(inputs.size.sub(0.5))
         .div(inputs.size)
         .toVar() as Vec2;
-      const color = picture.sample(place).rgb.clamp(0, MOST).toVar() as Vec3;
+      const color = picture.sample(place).rgb.clamp(0, BRIGHTEST_HALF).toVar() as Vec3;
       const radius = circle.radius(inputs.depth.sample(place).r as Float).toVar() as Float;
       return { color, radius };
     });
