@@ -27,7 +27,7 @@ export const IMAGE_ACCEPT = accept(IMAGES);
 /** Ordinary images light a scene, too, though nothing in them is brighter than white. */
 export const ENVIRONMENT_ACCEPT = accept([...ENVIRONMENTS, ...IMAGES]);
 export const ANY_ACCEPT = accept([
-  ...['json', 'zip', 'bin', 'mtl', 'brdf', 'bparam'],
+  ...['json', 'zip', 'bin', 'mtl', 'brdf', 'bparam', 'md'],
   ...MODELS,
   ...measuredExtensions,
   ...ENVIRONMENTS,
@@ -37,6 +37,10 @@ export const ANY_ACCEPT = accept([
 export type FileKind =
   /** A document, a scene of three.js or a material: what is inside tells. */
   'json' | 'model' | 'archive' | 'brdf' | 'measured' | 'parameters' | 'environment' | 'image' | 'unknown';
+
+/** The text of a lesson: `lesson.en.md`, or `lesson.md` for all languages. */
+export const lessonFile = /^lesson(?:\.([a-z]{2}))?\.md$/i;
+export const isLessonFile = (name: string): boolean => lessonFile.test(name);
 
 export function extensionOf(name: string): string {
   return /\.([a-z0-9]+)$/i.exec(name)?.[1]?.toLowerCase() ?? '';

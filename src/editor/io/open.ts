@@ -11,7 +11,7 @@ import { plural, t } from '../language/language.ts';
 import type { EditorStateStore } from '../state.ts';
 import { confirm } from '../ui/confirm.ts';
 import { startProgress, toast, toastError } from '../ui/toast.ts';
-import { fileKind, pathOf, readAsset } from './files.ts';
+import { fileKind, isLessonFile, pathOf, readAsset } from './files.ts';
 import { ImportCancelled } from './importer/import-job.ts';
 import { importFile, runImport } from './open-import.ts';
 import { openBparam, openBrdf, openMeasured } from './open-model.ts';
@@ -22,6 +22,8 @@ export interface OpenContext {
   readonly assets: AssetLoader;
   /** Replaces the scene, unless the person would lose work and decides against it. */
   replaceDocument(document: Document): Promise<boolean>;
+  /** A lesson's text, its scene and what lies beside them. */
+  openLesson(files: readonly File[]): Promise<void>;
 }
 
 const FORMATS = t(
@@ -48,6 +50,10 @@ export async function openFiles(
   for (const file of given)
     if (fileKind(file.name) === 'archive') files.push(...(await unpacked(file)));
     else files.push(file);
+  if (files.some((file) => isLessonFile(file.name))) {
+    await context.openLesson(files);
+    return;
+  }
   const toOpen = filesToOpen(files);
   if (toOpen.length === 0) {
     if (given[0] && fileKind(given[0].name) !== 'archive')

@@ -13,6 +13,7 @@ import { type IconName, icon, isIcon } from '../../ui/icons.ts';
 import { type MenuEntry, menuButton, openMenu } from '../../ui/menu.ts';
 import { createTitle } from '../documents/title.ts';
 import { presetEntries } from '../inspector/preset.ts';
+import { createLearnButton } from '../lesson/button.ts';
 import { selectionEntries } from '../selection-menu.ts';
 import { createSettings } from './settings.ts';
 import { createTermSelect } from './term-select.ts';
@@ -93,6 +94,7 @@ export function createTopbar(session: Session, actions: TopbarActions): HTMLElem
     menuButton(t('File'), () => fileEntries(session, actions)),
     menuButton(t('Edit'), () => editEntries(session)),
     menuButton(t('Add'), () => addEntries(session)),
+    createLearnButton(session),
     h('span', { class: 'divider' }),
     undo,
     redo,
