@@ -77,22 +77,6 @@ export async function readAsset(file: File): Promise<Asset> {
   return { name: file.name, mediaType: mediaTypeOf(file.name), data: url.slice(url.indexOf(',') + 1) };
 }
 
-/** The bytes of a file, telling how far it is: files of hundreds of megabytes take a while. */
-export async function readBytes(
-  file: File,
-  onProgress: (fraction: number) => void,
-): Promise<Uint8Array<ArrayBuffer>> {
-  const bytes = new Uint8Array(file.size);
-  let at = 0;
-  const reader = file.stream().getReader();
-  for (let part = await reader.read(); !part.done; part = await reader.read()) {
-    bytes.set(part.value, at);
-    at += part.value.length;
-    onProgress(at / file.size);
-  }
-  return bytes;
-}
-
 /** Where a file lay in the folder that was dropped or chosen; its name where it came alone. */
 export function pathOf(file: File): string {
   return file.webkitRelativePath || file.name;

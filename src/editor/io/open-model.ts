@@ -7,8 +7,8 @@ import { addMeasuredModel } from '../../scene/measured-commands.ts';
 import { findModel } from '../../scene/models.ts';
 import { t } from '../language/language.ts';
 import { toast } from '../ui/toast.ts';
-import { readBytes } from './files.ts';
 import type { OpenContext } from './open.ts';
+import { readBytes } from './read-bytes.ts';
 
 type Target = Pick<OpenContext, 'store' | 'state'>;
 

@@ -7,6 +7,7 @@ import { isModelFile } from '../../../io/model-extensions.ts';
 import { readZip } from '../../../io/zip.ts';
 import { messageOf } from '../../../scene/assets.ts';
 import { parseDocument } from '../../../scene/document.ts';
+import { readBytes } from '../read-bytes.ts';
 import { fetchFiles } from './fetch.ts';
 import type { EnvironmentData, FromImporter, ImportResult, PlacedFile, ToImporter } from './messages.ts';
 import type { Server } from './server.ts';
@@ -57,7 +58,9 @@ async function resultOf(job: Job, server: Server, progress: Progress): Promise<I
     }
     case 'unzip': {
       const { path } = job.archive;
-      const bytes = await bytesOf(job.archive, (fraction) => progress(`Reading ${nameOf(path)}`, fraction));
+      const bytes = await readBytes(job.archive.file, (fraction) =>
+        progress(`Reading ${nameOf(path)}`, fraction),
+      );
       progress(`Unpacking ${nameOf(path)}`, null);
       const files = [...readZip(bytes, nameOf(path))].map(([inside, content]) => ({
         path: inside,
@@ -87,7 +90,7 @@ async function read(
   if (total > MOST_BYTES) throw new Error(`${name}: with what lies beside it, more than ${MOST_BYTES} bytes`);
   let before = 0;
   const load = async (placed: PlacedFile): Promise<Uint8Array<ArrayBuffer>> => {
-    const bytes = await bytesOf(placed, (fraction) =>
+    const bytes = await readBytes(placed.file, (fraction) =>
       progress(`Reading ${nameOf(placed.path)}`, (before + fraction * placed.file.size) / Math.max(1, total)),
     );
     before += placed.file.size;
@@ -129,20 +132,4 @@ async function readJson(
   return scene === null
     ? { kind: 'document', document: parseDocument(json ?? text, name) }
     : modelOf(scene, server);
-}
-
-/** Telling how far it is: files of hundreds of megabytes take a while. */
-async function bytesOf(
-  { file }: PlacedFile,
-  onProgress: (fraction: number) => void,
-): Promise<Uint8Array<ArrayBuffer>> {
-  const bytes = new Uint8Array(file.size);
-  let at = 0;
-  const reader = file.stream().getReader();
-  for (let part = await reader.read(); !part.done; part = await reader.read()) {
-    bytes.set(part.value, at);
-    at += part.value.length;
-    onProgress(at / file.size);
-  }
-  return bytes;
 }
