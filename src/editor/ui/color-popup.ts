@@ -18,6 +18,22 @@ export interface ColorPopupOptions {
 
 const CHANNELS = ['R', 'G', 'B'] as const;
 
+/** Of the whole width or height: for an arrow key, with Shift, and with Alt. */
+const KEY_STEP = 0.01;
+const FINE_STEP = 0.001;
+const COARSE_STEP = 0.1;
+/** Red again would be at 360 degrees, and stand at the other end. */
+const LAST_HUE = 359.99;
+/** To the right and upwards. */
+const ARROWS: Readonly<Record<string, readonly [number, number]>> = {
+  ArrowLeft: [-1, 0],
+  ArrowRight: [1, 0],
+  ArrowUp: [0, 1],
+  ArrowDown: [0, -1],
+};
+
+const inUnit = (value: number) => Math.max(0, Math.min(1, value));
+
 export function openColorPopup(options: ColorPopupOptions): { show(linear: Rgb): void } {
   let linear = options.value;
   let hsv = toHsv(toSrgb(linear));
@@ -29,6 +45,7 @@ export function openColorPopup(options: ColorPopupOptions): { show(linear: Rgb):
     {
       class: 'color-square',
       role: 'slider',
+      tabindex: 0,
       'aria-label': t('{label}: saturation and value', { label: options.label }),
     },
     squareHandle,
@@ -36,7 +53,14 @@ export function openColorPopup(options: ColorPopupOptions): { show(linear: Rgb):
   const hueHandle = h('div', { class: 'handle' });
   const hue = h(
     'div',
-    { class: 'color-hue', role: 'slider', 'aria-label': t('{label}: hue', { label: options.label }) },
+    {
+      class: 'color-hue',
+      role: 'slider',
+      tabindex: 0,
+      'aria-valuemin': 0,
+      'aria-valuemax': 360,
+      'aria-label': t('{label}: hue', { label: options.label }),
+    },
     hueHandle,
   );
   const numbers = CHANNELS.map((channel, i) =>
@@ -59,6 +83,13 @@ export function openColorPopup(options: ColorPopupOptions): { show(linear: Rgb):
     squareHandle.style.left = `${Math.min(1, hsv[1]) * 100}%`;
     squareHandle.style.top = `${(1 - Math.min(1, hsv[2])) * 100}%`;
     hueHandle.style.left = `${(hsv[0] / 360) * 100}%`;
+    const [saturation, value] = [Math.round(hsv[1] * 100), Math.round(hsv[2] * 100)];
+    square.setAttribute('aria-valuenow', String(saturation));
+    square.setAttribute(
+      'aria-valuetext',
+      t('saturation {saturation} %, value {value} %', { saturation, value }),
+    );
+    hue.setAttribute('aria-valuenow', String(Math.round(hsv[0])));
     numbers.forEach((field, i) => {
       field.show(linear[i] ?? 0);
     });
@@ -97,8 +128,22 @@ export function openColorPopup(options: ColorPopupOptions): { show(linear: Rgb):
       move(down);
     });
   };
+  const step = (area: HTMLElement, pick: (right: number, up: number) => Rgb) => {
+    area.addEventListener('keydown', (event) => {
+      const [right, up] = ARROWS[event.key] ?? [];
+      if (right === undefined || up === undefined) return;
+      event.preventDefault();
+      const size = event.shiftKey ? FINE_STEP : event.altKey ? COARSE_STEP : KEY_STEP;
+      hsv = pick(right * size, up * size);
+      picking = true;
+      options.onChange(toLinear(fromHsv(hsv)), undefined);
+      picking = false;
+    });
+  };
+  step(square, (right, up) => [hsv[0], inUnit(hsv[1] + right), inUnit(hsv[2] + up)]);
+  step(hue, (right, up) => [Math.max(0, Math.min(LAST_HUE, hsv[0] + 360 * (right + up))), hsv[1], hsv[2]]);
   drag(square, (x, y) => [hsv[0], x, 1 - y]);
-  drag(hue, (x) => [Math.min(359.99, x * 360), hsv[1], hsv[2]]);
+  drag(hue, (x) => [Math.min(LAST_HUE, x * 360), hsv[1], hsv[2]]);
 
   const content = h(
     'div',

@@ -1,5 +1,6 @@
 /** The small fields: choice, switch, text; and the row that puts a label before any field. */
 import { h } from './dom.ts';
+import { isKeyboardOn } from './focus.ts';
 
 export interface Choice {
   value: string;
@@ -44,9 +45,10 @@ export function selectField(
   };
   setChoices(choices);
   element.addEventListener('change', () => {
+    const byKeyboard = isKeyboardOn(element);
     onChange(element.value);
-    // The keys belong to the page again: what was chosen is chosen.
-    element.blur();
+    // The keys belong to the page again: what was chosen is chosen. By keyboard the place must not be lost.
+    if (!byKeyboard) element.blur();
   });
   return {
     element,

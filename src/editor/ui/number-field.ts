@@ -23,6 +23,8 @@ export interface NumberField {
   show(value: number): void;
 }
 
+/** Of the field's own, for a key: Shift makes them finer, Alt coarser. */
+const STEPS: Readonly<Record<string, number>> = { ArrowUp: 1, ArrowDown: -1, PageUp: 10, PageDown: -10 };
 const SCRUB_THRESHOLD_PX = 3;
 const PX_PER_STEP = 2;
 
@@ -80,11 +82,12 @@ export function numberField(options: NumberFieldOptions): NumberField {
       input.value = formatNumber(value);
       input.blur();
       event.stopPropagation();
-    } else if (event.key === 'ArrowUp' || event.key === 'ArrowDown') {
+    } else if (STEPS[event.key]) {
       event.preventDefault();
       commit();
-      const factor = event.shiftKey ? 0.1 : 1;
-      change(roundTo(value + (event.key === 'ArrowUp' ? step : -step) * factor, step * factor), undefined);
+      const factor = event.shiftKey ? 0.1 : event.altKey ? 10 : 1;
+      const by = step * factor * (STEPS[event.key] as number);
+      change(roundTo(value + by, Math.min(step, Math.abs(by))), undefined);
       editing = true;
       input.value = formatNumber(value);
     }

@@ -6,7 +6,7 @@
 
 import { t } from '../language/language.ts';
 import { h } from './dom.ts';
-import { roundTo } from './expression.ts';
+import { formatNumber, roundTo } from './expression.ts';
 import { type Gesture, newGesture } from './gesture.ts';
 import { numberField } from './number-field.ts';
 
@@ -62,11 +62,15 @@ export function sliderField(options: SliderFieldOptions): SliderField {
       options.onChange(value, key);
     },
   });
+  /** The track counts its positions; what they mean is the number. */
+  const tell = (value: number) =>
+    range.setAttribute('aria-valuetext', [formatNumber(value), options.unit].filter(Boolean).join(' '));
   const paint = (value: number) => {
     const tick = Math.min(TICKS, Math.max(0, toTick(value)));
     range.value = String(Math.round(tick));
     range.style.setProperty('--fill', String(tick / TICKS));
     range.classList.toggle('beyond', value < min - 1e-9 || value > max + 1e-9);
+    tell(value);
   };
   range.addEventListener('pointerdown', () => {
     gesture = newGesture();
@@ -77,6 +81,7 @@ export function sliderField(options: SliderFieldOptions): SliderField {
     range.style.setProperty('--fill', String(Number(range.value) / TICKS));
     range.classList.remove('beyond');
     number.show(value);
+    tell(value);
     options.onChange(value, gesture);
   });
   range.addEventListener('change', () => {

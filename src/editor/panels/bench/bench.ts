@@ -172,13 +172,14 @@ export function createBench(session: Session, { geometryOf, viewport, renderer }
     }
   };
 
+  const sash = createSash(
+    () => element.offsetHeight,
+    (benchHeight) => state.set({ benchHeight }),
+  );
   const element: HTMLElement = h(
     'section',
     { class: 'bench', 'aria-label': t('BRDF bench') },
-    createSash(
-      () => element.offsetHeight,
-      (benchHeight) => state.set({ benchHeight }),
-    ),
+    sash,
     h(
       'div',
       { class: 'bench-bar' },
@@ -251,7 +252,9 @@ export function createBench(session: Session, { geometryOf, viewport, renderer }
     element.hidden = !benchOpen;
     element.classList.toggle('page', benchPage);
     page.setAttribute('aria-pressed', String(benchPage));
-    element.style.height = benchPage ? '' : `${clampHeight(benchHeight)}px`;
+    const height = clampHeight(benchHeight);
+    element.style.height = benchPage ? '' : `${height}px`;
+    sash.setAttribute('aria-valuenow', String(height));
     wantFrame();
   };
 

@@ -18,6 +18,7 @@ export function createSash(height: () => number, change: (height: number) => voi
     role: 'separator',
     tabindex: 0,
     'aria-orientation': 'horizontal',
+    'aria-valuemin': LEAST,
     'aria-label': t('Height of the bench'),
   });
   sash.addEventListener('pointerdown', (event) => {

@@ -71,7 +71,7 @@ export function openShortcuts({ actions }: Session): void {
       ...(isWaiting
         ? [t('Press the new keys…')]
         : keys.length > 0
-          ? keys.map((each) => h('kbd', {}, keysText(each)))
+          ? keys.flatMap((each) => [h('kbd', {}, keysText(each)), ' '])
           : [h('span', { class: 'shortcut-none' }, t('none'))]),
     );
     change.classList.toggle('waiting', isWaiting);
@@ -181,7 +181,7 @@ function othersWith(actions: Actions, { id }: Action, keys: string): readonly Ac
 }
 
 function spoken(keys: readonly string[]): string {
-  return keys.length > 0 ? keys.map((each) => keysText(each)).join(', ') : t('none');
+  return keys.length > 0 ? keys.map((each) => keysText(each)).join(' ') : t('none');
 }
 
 function tool(label: string, name: 'close' | 'undo', disabled: boolean, run: () => void): HTMLButtonElement {
