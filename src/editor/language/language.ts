@@ -5,7 +5,7 @@
  */
 import type { Catalogue } from './catalogue.ts';
 import { chosenLanguage, type Language } from './choice.ts';
-import { matchPatterns } from './patterns.ts';
+import { translated } from './patterns.ts';
 
 /** What stands in for `{name}` in a text. */
 export type TextValues = Readonly<Record<string, string | number>>;
@@ -44,7 +44,7 @@ export function plural(count: number, one: string, other: string, values: TextVa
  * Never for names that a person gave.
  */
 export function translate(text: string): string {
-  return catalogue ? matchPatterns(catalogue, text) : text;
+  return catalogue ? translated(catalogue, text) : text;
 }
 
 function fill(text: string, values: TextValues): string {
