@@ -172,30 +172,48 @@ function tableNode(sums: Texture): Node {
   })() as unknown as Node;
 }
 
-const passes = new WeakMap<Model, Map<string, AlbedoPass>>();
+/** Of each renderer its own: what one of them gives back to its device is not another's. */
+const passes = new WeakMap<Renderer, WeakMap<Model, Map<string, AlbedoPass>>>();
 
-function passFor(model: Model, term: string): AlbedoPass {
-  const byTerm = passes.get(model) ?? new Map<string, AlbedoPass>();
-  passes.set(model, byTerm);
+function passFor(renderer: Renderer, model: Model, term: string): AlbedoPass {
+  const byModel = passes.get(renderer) ?? new WeakMap<Model, Map<string, AlbedoPass>>();
+  passes.set(renderer, byModel);
+  const byTerm = byModel.get(model) ?? new Map<string, AlbedoPass>();
+  byModel.set(model, byTerm);
   const pass = byTerm.get(term) ?? new AlbedoPass(model, term);
   byTerm.set(term, pass);
   return pass;
 }
 
-/** A material's table: its texture, and the state of the material that it was drawn for. */
+/** A material's tables, one for each renderer: its texture, and the state of the material that it was drawn for. */
 export class AlbedoTable {
-  readonly target = new RenderTarget(TEXELS, 1, FLOATS);
-  private drawn = '';
+  private readonly tables = new Map<Renderer, { readonly target: RenderTarget; drawn: string }>();
+
+  /** The table as it is, maybe not drawn yet. */
+  texture(renderer: Renderer): Texture {
+    return this.of(renderer).target.texture;
+  }
 
   update(renderer: Renderer, material: BrdfMaterial): void {
+    const table = this.of(renderer);
     const state = `${material.term} ${material.valuesVersion}`;
-    if (this.drawn === state) return;
-    this.drawn = state;
-    passFor(material.model, material.term).render(renderer, material, this.target);
+    if (table.drawn === state) return;
+    table.drawn = state;
+    passFor(renderer, material.model, material.term).render(renderer, material, table.target);
   }
 
   dispose(): void {
-    this.target.dispose();
+    for (const { target } of this.tables.values()) target.dispose();
+    this.tables.clear();
+  }
+
+  private of(renderer: Renderer): { readonly target: RenderTarget; drawn: string } {
+    let table = this.tables.get(renderer);
+    if (!table) {
+      table = { target: new RenderTarget(TEXELS, 1, FLOATS), drawn: '' };
+      this.tables.set(renderer, table);
+    }
+    return table;
   }
 }
 
@@ -220,12 +238,12 @@ export class AlbedoNode extends Node {
     // Materials of one model share what was built for the first of them, but not its table.
     material.albedoTable ??= new AlbedoTable();
     material.albedoTable.update(renderer, material);
-    this.table.value = material.albedoTable.target.texture;
+    this.table.value = material.albedoTable.texture(renderer);
   }
 
   override setup(builder: NodeBuilder): Node {
-    const { material } = builder as unknown as { material: BrdfMaterial };
-    if (material.albedoTable) this.table.value = material.albedoTable.target.texture;
+    const { material, renderer } = builder as unknown as { material: BrdfMaterial; renderer: Renderer };
+    if (material.albedoTable) this.table.value = material.albedoTable.texture(renderer);
     const place = this.cosine
       .clamp(0, 1)
       .sqrt()
