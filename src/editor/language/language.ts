@@ -25,10 +25,13 @@ if (typeof document !== 'undefined') document.documentElement.lang = language;
 
 const pluralRules = new Intl.PluralRules(language);
 
-/** The text in the page's language; `{name}` is replaced by that value. The source is the English text. */
+/**
+ * The text in the page's language; `{name}` is replaced by that value. The source is the English text; one that has
+ * two meanings has a word behind a bar that tells them apart and is not shown: `Light|theme`.
+ */
 export function t(source: string, values: TextValues = {}): string {
   const entry = catalogue?.[source];
-  return fill(typeof entry === 'string' ? entry : source, values);
+  return fill(typeof entry === 'string' ? entry : source.replace(/\|\w+$/, ''), values);
 }
 
 /** The text for so many, `{count}` in it; the key of the catalogue is the `other` form. */

@@ -13,7 +13,7 @@ const computed = new Map<string, string>();
 let probe: HTMLElement | null = null;
 
 export function themeNames(): Readonly<Record<Theme, string>> {
-  return { dark: t('Dark'), light: t('Light'), system: t('As the system') };
+  return { dark: t('Dark'), light: t('Light|theme'), system: t('As the system') };
 }
 
 export function chosenTheme(): Theme {

@@ -1,6 +1,7 @@
 /** How the page looks and works, in one menu behind a gear: for this browser, not of the document. */
 import { actionEntry } from '../../actions/entry.ts';
 import { t } from '../../language/language.ts';
+import { languageEntries } from '../../language/menu.ts';
 import type { Session } from '../../session.ts';
 import { chooseTheme, chosenTheme, themeNames, themes } from '../../theme/theme.ts';
 import { h } from '../../ui/dom.ts';
@@ -22,7 +23,8 @@ export function createSettings(session: Session): HTMLButtonElement {
   return asMenuButton(button, label, () => settingsEntries(session));
 }
 
-function settingsEntries({ actions }: Session): MenuEntry[] {
+function settingsEntries(session: Session): MenuEntry[] {
+  const { actions } = session;
   const names = themeNames();
   return [
     { heading: t('Theme') },
@@ -33,6 +35,8 @@ function settingsEntries({ actions }: Session): MenuEntry[] {
         run: () => chooseTheme(theme),
       }),
     ),
+    'separator',
+    ...languageEntries(session),
     'separator',
     actionEntry(actions, 'help.shortcuts', { icon: 'keyboard', label: t('Keyboard shortcuts…') }),
     actionEntry(actions, 'help.about', { icon: 'info', label: t('About Irradia…') }),
