@@ -28,6 +28,7 @@ import { createBench } from './panels/bench/bench.ts';
 import { exportEntries } from './panels/export/entries.ts';
 import { createInspector } from './panels/inspector/inspector.ts';
 import { createOutliner } from './panels/outliner/outliner.ts';
+import { createSheetTabs } from './panels/sheets.ts';
 import { createSourcePanel } from './panels/source/source.ts';
 import { FrameTimes } from './panels/status/frame-times.ts';
 import { createStatus } from './panels/status/status.ts';
@@ -42,6 +43,7 @@ import { saveDocument } from './storage/save-file.ts';
 import { Workspace } from './storage/workspace.ts';
 import { followSystemTheme } from './theme/theme.ts';
 import { h } from './ui/dom.ts';
+import { installLongPress } from './ui/long-press.ts';
 import type { MenuEntry } from './ui/menu.ts';
 import { startProgress, toast, toastError } from './ui/toast.ts';
 import { installTooltip } from './ui/tooltip.ts';
@@ -70,6 +72,7 @@ const PATIENCE_MS = 400;
 
 installErrorReports();
 followSystemTheme();
+installLongPress();
 installTooltip((action) => session.actions.shortcut(action));
 
 const store = new DocumentStore(createDocument());
@@ -119,7 +122,7 @@ let presetOfDevice: PresetOfDevice | null = null;
 const outliner = createOutliner(session);
 const times = new FrameTimes();
 const status = createStatus(state, times, session.gpuTimes);
-const canvas = h('canvas', { tabindex: -1, 'aria-label': t('Viewport') });
+const canvas = h('canvas', { tabindex: 0, role: 'application', 'aria-label': t('Viewport') });
 const loading = h('div', { class: 'loading' }, t('Loading…'));
 const view = h('main', { class: 'viewport' }, canvas, loading);
 
@@ -146,6 +149,7 @@ document.getElementById('app')?.replaceChildren(
     renderer: () => window.irradia.renderer,
   }),
   status.element,
+  createSheetTabs(session),
 );
 store.subscribe(({ reason, document }) => {
   if (reason !== 'open') return;

@@ -1,7 +1,16 @@
 /** The regions of the page, in the order in which the keyboard goes round them. */
 import { tabStops } from './focus.ts';
 
-const REGIONS = ['.topbar', '.panel-left', '.viewport', '.bench', '.source', '.panel-right', '.status'];
+const REGIONS = [
+  '.topbar',
+  '.panel-left',
+  '.viewport',
+  '.bench',
+  '.source',
+  '.panel-right',
+  '.status',
+  '.sheet-tabs',
+];
 
 /** What had the focus when a region was left. */
 const left = new WeakMap<Element, HTMLElement>();
