@@ -1,6 +1,7 @@
 /** The choice of the page's language, for the settings menu. A reload applies it: every text is made once. */
 import type { Session } from '../session.ts';
 import type { MenuEntry } from '../ui/menu.ts';
+import { toast } from '../ui/toast.ts';
 import { languageNames, languages, preferredLanguage, storedLanguage, storeLanguage } from './choice.ts';
 import { t } from './language.ts';
 
@@ -25,7 +26,8 @@ export function languageEntries({ workspace }: Session): MenuEntry[] {
 
   function choose(name: typeof stored): void {
     if (name === stored) return;
-    storeLanguage(name);
-    void workspace.reload();
+    if (storeLanguage(name)) void workspace.reload();
+    else
+      toast('error', t('The language stays as it was'), t('This browser or window keeps nothing for pages.'));
   }
 }
