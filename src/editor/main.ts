@@ -16,6 +16,7 @@ import { learnActions, learning } from './actions/learn.ts';
 import { pageActions } from './actions/page.ts';
 import { selectionActions } from './actions/selection.ts';
 import { installShortcuts } from './actions/shortcuts.ts';
+import { toolActions } from './actions/tools.ts';
 import { viewActions } from './actions/view.ts';
 import { installErrorReports, showStartFailure } from './errors.ts';
 import { GpuTimesBoard } from './gpu-times.ts';
@@ -111,8 +112,9 @@ const session: Session = {
   chooseFiles,
   renameSelected: () => outliner.renameSelected(),
   findInScene: () => outliner.search(),
-  focusSelection: () => window.irradia.viewport?.focusSelection(),
-  pickFocus: () => window.irradia.viewport?.pickFocus(),
+  focusSelection: () => window.irradia.viewport?.hands.focusSelection(),
+  pickFocus: () => window.irradia.viewport?.hands.pickFocus(),
+  hands: () => window.irradia.viewport?.hands ?? null,
 };
 
 /** A scene that is nobody's work: it gets the effects that this device draws without effort. */
@@ -166,6 +168,7 @@ session.actions.add(fileActions(session, { open, saveAs, screenshot }));
 session.actions.add(editActions(session));
 session.actions.add(selectionActions(session));
 session.actions.add(viewActions(session));
+session.actions.add(toolActions(session));
 session.actions.add(learnActions(session));
 session.actions.add(pageActions(session));
 installShortcuts(session.actions);

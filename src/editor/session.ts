@@ -4,6 +4,7 @@ import type { Actions } from './actions/action.ts';
 import type { GpuTimesBoard } from './gpu-times.ts';
 import type { EditorStateStore } from './state.ts';
 import type { Workspace } from './storage/workspace.ts';
+import type { Hands } from './viewport/hands.ts';
 
 export interface Session {
   readonly store: DocumentStore;
@@ -24,6 +25,8 @@ export interface Session {
   findInScene(): void;
   /** The next click on the picture says what the lens is focused on. */
   pickFocus(): void;
+  /** What is done by hand in the picture; null until there is one. */
+  hands(): Hands | null;
   /** Turns the camera to what is selected, or to everything. */
   focusSelection(): void;
   /** Puts files into the scene, as a drop on the page does; images as its environment where that is what was asked for. */

@@ -60,7 +60,12 @@ export async function openLab(): Promise<Lab> {
       const viewport = { width, height };
       const context =
         beside?.page.context() ??
-        (await browser.newContext({ viewport, acceptDownloads: true, serviceWorkers }));
+        (await browser.newContext({
+          viewport,
+          acceptDownloads: true,
+          serviceWorkers,
+          reducedMotion: 'reduce',
+        }));
       if (!beside) contexts.push(context);
       const page = await context.newPage();
       const errors = watchErrors(page);

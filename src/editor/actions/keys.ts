@@ -23,6 +23,8 @@ export function keysOf(event: KeyboardEvent): string | null {
 
 function nameOf({ key, code, altKey, isComposing }: KeyboardEvent): string | null {
   if (isComposing || NOT_KEYS.has(key)) return null;
+  // The digits beside the letters are others, and without NumLock these have other names.
+  if (/^Numpad\d$/.test(code)) return code;
   if (key === ' ') return 'Space';
   if (key.length > 1) return key;
   // Where letters are not Latin, and where Alt makes another letter of one, its place on the keyboard counts.

@@ -3,23 +3,30 @@
  * the hand lets go the document gets the new pose, and drags in a row are one undo step.
  */
 import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
-import { type Box3, type PerspectiveCamera, Sphere, type Vector3 } from 'three/webgpu';
+import { type Box3, type PerspectiveCamera, Sphere, Vector3 } from 'three/webgpu';
 import type { Camera, Document } from '../../scene/schema.ts';
 import type { DocumentStore } from '../../scene/store.ts';
 import { attempt } from '../commands.ts';
 import { t } from '../language/language.ts';
+import { eased, type Pose, poseBetween } from './navigation/camera-path.ts';
 
 export interface CameraControl {
   /** Where the camera is while it is moved, as the document will say. */
   pose(): Pick<Camera, 'position' | 'target'>;
   /** Takes the pose from the document: after undo, another scene, a typed number. */
   follow(document: Document): void;
-  /** Moves so that all of the box is seen. */
-  focus(box: Box3, name: string): void;
+  /** Moves so that all of the box is seen. @param label of the undo step */
+  focus(box: Box3, label: string): void;
+  /** Looks at the same point from another side. @param from the direction in which the camera then is */
+  lookFrom(from: Vector3, label: string): void;
+  /** While something else is dragged, the camera is not. */
+  hold(held: boolean): void;
   dispose(): void;
 }
 
 const MERGE = 'camera in the viewport';
+/** Of a move from one pose to another. */
+const MOVE_MS = 200;
 
 export function createCameraControl(
   camera: PerspectiveCamera,
@@ -52,25 +59,63 @@ export function createCameraControl(
   };
   controls.addEventListener('end', () => write(t('Move camera')));
 
-  const follow = ({ camera: { position, target } }: Document) => {
-    controls.target.set(...target);
-    camera.position.set(...position);
+  const set = ({ position, target }: Pose) => {
+    controls.target.copy(target);
+    camera.position.copy(position);
     controls.update();
+  };
+
+  let animation = 0;
+  const stop = () => {
+    cancelAnimationFrame(animation);
+    animation = 0;
+  };
+  controls.addEventListener('start', stop);
+
+  const follow = ({ camera: { position, target } }: Document) => {
+    stop();
+    set({ position: new Vector3(...position), target: new Vector3(...target) });
+  };
+
+  /** The document is there at once; the picture comes after, so that a person sees from where to where it goes. */
+  const goTo = (to: Pose, label: string) => {
+    stop();
+    const from: Pose = { position: camera.position.clone(), target: controls.target.clone() };
+    set(to);
+    write(label);
+    if (matchMedia('(prefers-reduced-motion: reduce)').matches) return;
+    const start = performance.now();
+    const step = (now: number) => {
+      const part = Math.min(1, Math.max(0, (now - start) / MOVE_MS));
+      if (part === 1) follow(store.document);
+      else {
+        set(poseBetween(from, to, eased(part)));
+        animation = requestAnimationFrame(step);
+      }
+      onMove();
+    };
+    set(from);
+    animation = requestAnimationFrame(step);
   };
 
   return {
     pose,
     follow,
-    focus(box, name) {
+    focus(box, label) {
       const sphere = box.getBoundingSphere(new Sphere());
       if (box.isEmpty() || !(sphere.radius > 0)) return;
       const halfAngle = Math.atan(Math.tan((camera.fov * Math.PI) / 360) * Math.min(1, camera.aspect));
       const distance = (1.15 * sphere.radius) / Math.sin(halfAngle);
       const away = camera.position.clone().sub(controls.target).normalize();
-      controls.target.copy(sphere.center);
-      camera.position.copy(sphere.center).addScaledVector(away, distance);
-      controls.update();
-      write(t('Focus {name}', { name }));
+      goTo({ position: sphere.center.clone().addScaledVector(away, distance), target: sphere.center }, label);
+    },
+    lookFrom(from, label) {
+      const target = controls.target.clone();
+      const distance = camera.position.distanceTo(target);
+      goTo({ position: target.clone().addScaledVector(from, distance), target }, label);
+    },
+    hold(held) {
+      controls.enabled = !held;
     },
     dispose: () => controls.dispose(),
   };

@@ -4,7 +4,7 @@ import { attempt } from '../commands.ts';
 import { t } from '../language/language.ts';
 import type { Session } from '../session.ts';
 import { toast } from '../ui/toast.ts';
-import { pickDistance } from './picking.ts';
+import { pickDistance } from './selecting/picking.ts';
 
 export interface FocusPickingOptions {
   readonly canvas: HTMLCanvasElement;

@@ -3,29 +3,42 @@
  * of its own, so that it is crisp at any resolution scale, is not tone mapped, is not in screenshots
  * and costs the renderer nothing.
  */
-import type { Box3, Matrix4, PerspectiveCamera } from 'three/webgpu';
+import type { PerspectiveCamera } from 'three/webgpu';
 import type { Document, Light } from '../../scene/schema.ts';
-import type { Selection } from '../state.ts';
+import type { Entity } from '../state.ts';
 import { iconPath } from '../ui/icons.ts';
-import { boxCorners, type Line, lightLines } from './light-lines.ts';
+import { type Line, lightLines } from './light-lines.ts';
 import { createProjector, type Projector } from './projector.ts';
 
 export interface OverlayInput {
   document: Document;
   camera: PerspectiveCamera;
-  selection: Selection;
-  /** Bounds of the selected object in its own space. */
-  selected: { box: Box3; matrix: Matrix4 } | null;
+  selected: readonly Entity[];
+  /** Around what is selected; returns lines that mark it besides. */
+  outline(context: CanvasRenderingContext2D, width: number, height: number): readonly Line[];
+  /** Over all the rest. */
+  tools(context: CanvasRenderingContext2D): void;
+}
+
+/** Where a light's symbol is drawn, CSS pixels. */
+export interface LightMark {
+  readonly id: string;
+  readonly x: number;
+  readonly y: number;
 }
 
 export interface Overlay {
   readonly element: HTMLCanvasElement;
   draw(input: OverlayInput): void;
+  /** The lights that can be picked. */
+  readonly lights: readonly LightMark[];
   /** The light whose symbol is at this place of the viewport. */
   lightAt(x: number, y: number): string | null;
 }
 
 const ACCENT = '#eaa54b';
+/** What is selected, but not last. */
+const PALE = '#d8b98a';
 const QUIET = '#c9ced6';
 const HALO = 'rgba(0, 0, 0, 0.55)';
 const SYMBOL_PX = 18;
@@ -35,12 +48,15 @@ export function createOverlay(): Overlay {
   const element = document.createElement('canvas');
   element.className = 'overlay';
   const context = element.getContext('2d');
-  let hits: { id: string; x: number; y: number }[] = [];
+  let lights: LightMark[] = [];
 
   return {
     element,
+    get lights() {
+      return lights;
+    },
     draw(input) {
-      hits = [];
+      lights = [];
       const { clientWidth: width, clientHeight: height } = element;
       const ratio = devicePixelRatio;
       if (element.width !== Math.round(width * ratio)) element.width = Math.round(width * ratio);
@@ -49,22 +65,25 @@ export function createOverlay(): Overlay {
       context.setTransform(ratio, 0, 0, ratio, 0, 0);
       context.clearRect(0, 0, width, height);
       const projector = createProjector(input.camera, width, height);
-      if (input.selected) {
-        drawLines(context, projector, boxCorners(input.selected.box, input.selected.matrix), ACCENT, 1.5);
-      }
+      drawLines(context, projector, input.outline(context, width, height), ACCENT, 1.5);
+      const colors = new Map(
+        input.selected.flatMap(({ kind, id }, i, { length }) =>
+          kind === 'lights' ? [[id, i === length - 1 ? ACCENT : PALE] as const] : [],
+        ),
+      );
       for (const [id, light] of Object.entries(input.document.lights)) {
-        const chosen = input.selection?.kind === 'lights' && input.selection.id === id;
-        if (!('position' in light) || (!chosen && !input.document.view.helpers)) continue;
-        drawLight(context, projector, light, chosen);
+        const color = colors.get(id) ?? null;
+        if (!('position' in light) || (color === null && !input.document.view.helpers)) continue;
+        drawLight(context, projector, light, color);
         const place = projector.point(light.position);
-        if (place) {
-          drawSymbol(context, light, place.x, place.y, chosen);
-          hits.push({ id, ...place });
-        }
+        if (!place) continue;
+        drawSymbol(context, light, place.x, place.y, color);
+        if (!light.locked) lights.push({ id, ...place });
       }
+      input.tools(context);
     },
     lightAt(x, y) {
-      const near = hits.filter((hit) => Math.hypot(hit.x - x, hit.y - y) <= SYMBOL_PX * 0.7);
+      const near = lights.filter((hit) => Math.hypot(hit.x - x, hit.y - y) <= SYMBOL_PX * 0.7);
       near.sort((a, b) => Math.hypot(a.x - x, a.y - y) - Math.hypot(b.x - x, b.y - y));
       return near[0]?.id ?? null;
     },
@@ -75,10 +94,12 @@ function drawLight(
   context: CanvasRenderingContext2D,
   projector: Projector,
   light: Light,
-  chosen: boolean,
+  /** Of what is selected. */
+  mark: string | null,
 ): void {
   const { main, faint } = lightLines(light);
-  const color = chosen ? ACCENT : QUIET;
+  const color = mark ?? QUIET;
+  const chosen = mark !== null;
   context.globalAlpha = light.visible ? (chosen ? 1 : 0.65) : 0.3;
   drawLines(context, projector, main, color, chosen ? 1.5 : 1);
   context.globalAlpha *= 0.5;
@@ -95,6 +116,7 @@ function drawLines(
   color: string,
   width: number,
 ): void {
+  if (lines.length === 0) return;
   context.beginPath();
   for (const line of lines) {
     for (let i = 1; i < line.length; i++) {
@@ -119,7 +141,7 @@ function drawSymbol(
   light: Light,
   x: number,
   y: number,
-  chosen: boolean,
+  mark: string | null,
 ): void {
   let path = symbols.get(light.type);
   if (!path) {
@@ -130,14 +152,14 @@ function drawSymbol(
   context.globalAlpha = light.visible ? 1 : 0.45;
   context.beginPath();
   context.arc(x, y, SYMBOL_PX * 0.62, 0, 2 * Math.PI);
-  context.fillStyle = chosen ? ACCENT : 'rgba(22, 24, 28, 0.85)';
+  context.fillStyle = mark ?? 'rgba(22, 24, 28, 0.85)';
   context.fill();
-  context.strokeStyle = chosen ? ACCENT : 'rgba(255, 255, 255, 0.25)';
+  context.strokeStyle = mark ?? 'rgba(255, 255, 255, 0.25)';
   context.lineWidth = 1;
   context.stroke();
   context.translate(x - 6.5, y - 6.5);
   context.scale(13 / 16, 13 / 16);
-  context.strokeStyle = chosen
+  context.strokeStyle = mark
     ? '#191b1f'
     : `rgb(${light.color.map((c) => Math.round(120 + 135 * Math.sqrt(c))).join(' ')})`;
   context.lineWidth = 1.5;

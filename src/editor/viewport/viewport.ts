@@ -2,7 +2,6 @@
  * The viewport: keeps the picture equal to the document. It alone knows the renderer; panels change
  * the document and never ask for a frame.
  */
-import { Box3, type Matrix4, Vector3 } from 'three/webgpu';
 import type { RealtimeRenderer } from '../../realtime/renderer.ts';
 import type { SceneMirror } from '../../scene/mirror.ts';
 import type { Document } from '../../scene/schema.ts';
@@ -16,16 +15,14 @@ import type { Session } from '../session.ts';
 import type { EditorState } from '../state.ts';
 import { h } from '../ui/dom.ts';
 import { toastError } from '../ui/toast.ts';
-import { createCameraControl } from './camera.ts';
-import { FocusPicking } from './focus-picking.ts';
+import { type CameraControl, createCameraControl } from './camera.ts';
 import { FrameLoop } from './frame-loop.ts';
 import { gpuFinished } from './gpu-finish.ts';
+import { Hands } from './hands.ts';
 import { leastFrameTime } from './measure-frame.ts';
 import { MovingResolution } from './moving-resolution.ts';
-import { createOverlay, type Overlay } from './overlay.ts';
 import { pngOf, readPair, tracedPng } from './pictures.ts';
 import { installPixelReading } from './pixel-reading.ts';
-import { installPointer } from './pointer.ts';
 import { createShowView, type ShowView } from './show.ts';
 import { countScene, type SceneCounts } from './statistics.ts';
 
@@ -44,18 +41,16 @@ const BUSY_AFTER_MS = 250;
 
 export class Viewport {
   readonly #options: ViewportOptions;
-  readonly #overlay: Overlay;
   readonly #busy = h('div', { class: 'busy', role: 'status', hidden: true }, t('Loading…'));
   readonly #loop: FrameLoop;
-  readonly #camera: ReturnType<typeof createCameraControl>;
+  readonly #camera: CameraControl;
+  readonly hands: Hands;
   readonly tracing: PathTracing;
   readonly #tracingView: PathTracingView;
   readonly #show: ShowView;
-  readonly #focusPicking: FocusPicking;
   /** The scene or its place on the screen has changed since it was drawn. */
   #stale = true;
   #counts: SceneCounts = { vertices: 0, triangles: 0 };
-  #bounds: { id: string; box: Box3 } | null = null;
   #framesLeftToWait: (() => void)[] = [];
   readonly #resolution = new MovingResolution(() => this.#redraw(false));
   /** When the GPU had finished the last frame. */
@@ -66,8 +61,7 @@ export class Viewport {
   constructor(options: ViewportOptions) {
     const { element, canvas, session, mirror, times } = options;
     this.#options = options;
-    this.#overlay = createOverlay();
-    element.append(this.#overlay.element, this.#busy);
+    element.append(this.#busy);
     this.#loop = new FrameLoop({
       render: () => this.#render(),
       onFrame: (at, ms) => times.add(at, ms),
@@ -83,6 +77,7 @@ export class Viewport {
     });
     this.#camera = createCameraControl(mirror.camera, canvas, session.store, () => this.#redraw());
     this.#camera.follow(session.store.document);
+    this.hands = new Hands({ element, canvas, session, mirror, camera: this.#camera });
     this.#tracingView = createPathTracingView(session, this.tracing, () => this.#readPair());
     this.#show = createShowView(session);
     canvas.after(this.#tracingView.element, this.#show.element);
@@ -93,7 +88,6 @@ export class Viewport {
     });
     session.state.subscribe((now, before) => {
       if (now.continuous !== before.continuous) this.#loop.continuous = now.continuous;
-      if (now.selection !== before.selection) this.#drawOverlay();
       if (now.gpuTimes !== before.gpuTimes) {
         options.renderer.times.on = now.gpuTimes;
         if (!now.gpuTimes) session.gpuTimes.clear();
@@ -106,8 +100,6 @@ export class Viewport {
     session.gpuTimes.available = options.renderer.times.available;
     this.#followSize(element);
     document.addEventListener('visibilitychange', () => this.#loop.interrupt());
-    this.#focusPicking = new FocusPicking(this.#options);
-    installPointer(this.#options, this.#overlay, this.#focusPicking, () => this.focusSelection());
     installPixelReading(this.#options, this.#show);
     this.refresh();
   }
@@ -115,7 +107,6 @@ export class Viewport {
   /** After something came that is not in the document, such as a decoded image. */
   refresh(): void {
     this.#counts = countScene(this.#options.mirror.scene);
-    this.#bounds = null;
     this.#options.renderer.changed();
     this.#redraw();
   }
@@ -151,30 +142,6 @@ export class Viewport {
     return leastFrameTime(this.#options, this.#sizes().size);
   }
 
-  /** Looks at what is selected, or at everything. */
-  focusSelection(): void {
-    const { session, mirror } = this.#options;
-    const { selection } = session.state.value;
-    const { objects, lights } = session.store.document;
-    const box = new Box3();
-    const light = selection?.kind === 'lights' ? lights[selection.id] : undefined;
-    if (light && 'position' in light) {
-      box.expandByPoint(new Vector3(...light.position));
-      if ('target' in light) box.expandByPoint(new Vector3(...light.target));
-      box.expandByScalar(0.5);
-    } else {
-      const chosen = Object.entries(objects).filter(
-        ([id, object]) => id === selection?.id || object.material === selection?.id,
-      );
-      for (const [id] of chosen.length > 0 ? chosen : Object.entries(objects)) {
-        const object = mirror.objectFor(id);
-        if (object) box.expandByObject(object);
-      }
-    }
-    const name = selection ? session.store.document[selection.kind][selection.id]?.name : undefined;
-    this.#camera.focus(box, name ?? t('the scene'));
-  }
-
   /** The picture as it is shown, without the overlay. */
   screenshot(): Promise<Blob> {
     const map = this.#tracingView.differenceCanvas;
@@ -186,11 +153,6 @@ export class Viewport {
   /** The path traced picture, whatever part of it is shown. */
   tracedScreenshot(): Promise<Blob> {
     return tracedPng(this.#options, this.tracing);
-  }
-
-  /** The next click on the picture sets the distance that is in focus; Escape lets it be. */
-  pickFocus(): void {
-    this.#focusPicking.toggle();
   }
 
   #follow(document: Document, previous: Document): void {
@@ -282,7 +244,7 @@ export class Viewport {
     const start = performance.now();
     const { document } = this.#options.session.store;
     this.#submit(waiting.length > 0);
-    this.#drawOverlay();
+    this.hands.draw();
     this.#show.update(this.#options.renderer.exposure(this.#options.session.store.document.view));
     if (this.#wantsMore()) this.#loop.request();
     await gpuFinished(this.#options.renderer);
@@ -306,29 +268,6 @@ export class Viewport {
     // What is not seen is not drawn, and so it does not become better.
     const isSeen = renderer.companion === null || session.state.value.rendering !== 'traced';
     return renderer.adapting || (isSeen && renderer.unsettled);
-  }
-
-  #drawOverlay(): void {
-    const { mirror, session } = this.#options;
-    const { selection } = session.state.value;
-    this.#overlay.draw({
-      document: session.store.document,
-      camera: mirror.camera,
-      selection,
-      selected: selection?.kind === 'objects' ? this.#selectedBox(selection.id) : null,
-    });
-  }
-
-  /** The bounds in the object's own space, so that the marks turn with it. */
-  #selectedBox(id: string): { box: Box3; matrix: Matrix4 } | null {
-    const object = this.#options.mirror.objectFor(id);
-    if (!object?.visible) return null;
-    object.updateWorldMatrix(true, false);
-    if (this.#bounds?.id !== id) {
-      if (!object.geometry.boundingBox) object.geometry.computeBoundingBox();
-      this.#bounds = { id, box: object.geometry.boundingBox ?? new Box3() };
-    }
-    return { box: this.#bounds.box, matrix: object.matrixWorld };
   }
 }
 

@@ -1,0 +1,47 @@
+/** What the selected lights look at: a point that can be dragged over the scene. */
+import { type PerspectiveCamera, Vector3 } from 'three/webgpu';
+import type { SceneMirror } from '../../../scene/mirror.ts';
+import type { Document } from '../../../scene/schema.ts';
+import type { Entity } from '../../state.ts';
+import { createProjector, type Pixel } from '../projector.ts';
+import { pickAlong } from '../selecting/picking.ts';
+import { type Pointer, STEPS } from './drag.ts';
+import { roundTo, type Triple } from './placed.ts';
+import { onPlane } from './rays.ts';
+
+export interface Target {
+  /** Of the light. */
+  readonly id: string;
+  readonly name: string;
+  readonly position: Triple;
+  readonly at: Pixel;
+}
+
+export function targetsOf(
+  document: Document,
+  selected: readonly Entity[],
+  camera: PerspectiveCamera,
+  width: number,
+  height: number,
+): Target[] {
+  if (!selected.some(({ kind }) => kind === 'lights')) return [];
+  const projector = createProjector(camera, width, height);
+  return selected.flatMap(({ kind, id }): Target[] => {
+    const light = kind === 'lights' ? document.lights[id] : undefined;
+    if (!light || light.locked || !('target' in light)) return [];
+    const at = projector.point(light.target);
+    return at ? [{ id, name: light.name, position: light.target, at }] : [];
+  });
+}
+
+/** A tenth of a millimetre, as the camera is written. */
+const STEP = 1e-4;
+
+/** The surface under the pointer; where there is none, the plane that faces the camera at the target's distance. */
+export function aimAt(mirror: SceneMirror, target: Target, { ray }: Pointer, snap: boolean): Triple | null {
+  const point =
+    pickAlong(mirror, ray)[0]?.point ??
+    onPlane(ray, new Vector3(...target.position), mirror.camera.getWorldDirection(new Vector3()));
+  if (!point) return null;
+  return point.toArray().map((x) => roundTo(snap ? roundTo(x, STEPS.move) : x, STEP)) as Triple;
+}

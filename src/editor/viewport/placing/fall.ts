@@ -1,0 +1,173 @@
+/**
+ * How far something falls straight down until it touches what is below. Seen from above, every triangle of what falls
+ * overlaps some of what is below in convex polygons; over each the gap between both planes is linear, so that it is least at
+ * one of the polygon's corners. The least of all gaps is exact: corners on faces, faces on corners, edges on edges.
+ */
+
+/** World-space triangles: xyz of three corners each. y is up. */
+export type Triangles = Float64Array;
+
+export interface Body {
+  readonly triangles: Triangles;
+  /** Only what is lower than its middle holds it: what it has sunk into lifts it, what it stands under does not. */
+  readonly middle: number;
+}
+
+/** Overlaps smaller than this, m², are only touches: a box beside another does not rest on it. */
+const LEAST_AREA = 1e-10;
+/** Cells along each side of the grid at most. */
+const MAX_CELLS = 256;
+
+/** @returns m; negative for what has to be lifted; down to y = 0 where nothing is below; null if there are no triangles */
+export function fallOf(bodies: readonly Body[], obstacles: readonly Triangles[]): number | null {
+  const plan = planOf(bodies.map(({ triangles }) => triangles));
+  if (plan === null) return null;
+  const total = bodies.reduce((sum, { triangles }) => sum + triangles.length / 9, 0);
+  const grid = new PlanGrid(plan, Math.min(MAX_CELLS, Math.ceil(Math.sqrt(total))));
+  for (const triangles of obstacles) for (let at = 0; at < triangles.length; at += 9) grid.add(triangles, at);
+  let least = Number.POSITIVE_INFINITY;
+  for (const { triangles, middle } of bodies)
+    for (let at = 0; at < triangles.length; at += 9) {
+      const above = facet(triangles, at);
+      if (above === null) continue;
+      for (const below of grid.near(above))
+        if (above.low - below.high < least && below.low <= middle)
+          least = Math.min(least, gapBetween(above, below, middle));
+    }
+  return Number.isFinite(least) ? least : plan.low;
+}
+
+/** A triangle that is not upright. */
+interface Facet {
+  /** x and z of its corners, in the order that goes about y counter-clockwise, as seen from -y. */
+  readonly corners: readonly (readonly [x: number, z: number])[];
+  /** Its height is h(x, z) = a x + b z + c. */
+  readonly plane: readonly [a: number, b: number, c: number];
+  readonly low: number;
+  readonly high: number;
+}
+
+function facet(t: Triangles, at: number): Facet | null {
+  const [ax, ay, az] = [t[at]!, t[at + 1]!, t[at + 2]!];
+  const [ux, uy, uz] = [t[at + 3]! - ax, t[at + 4]! - ay, t[at + 5]! - az];
+  const [vx, vy, vz] = [t[at + 6]! - ax, t[at + 7]! - ay, t[at + 8]! - az];
+  const area = ux * vz - uz * vx;
+  if (Math.abs(area) < LEAST_AREA) return null;
+  const a = (uy * vz - uz * vy) / area;
+  const b = (ux * vy - uy * vx) / area;
+  const corners = [[ax, az] as const, [ax + ux, az + uz] as const, [ax + vx, az + vz] as const];
+  return {
+    corners: area > 0 ? corners : corners.reverse(),
+    plane: [a, b, ay - a * ax - b * az],
+    low: ay + Math.min(0, uy, vy),
+    high: ay + Math.max(0, uy, vy),
+  };
+}
+
+type Corner = readonly [x: number, z: number];
+
+function gapBetween(above: Facet, below: Facet, middle: number): number {
+  let polygon: readonly Corner[] = above.corners;
+  for (const [i, from] of below.corners.entries()) {
+    polygon = cut(polygon, from, below.corners[(i + 1) % 3] as Corner);
+    if (polygon.length < 3) return Number.POSITIVE_INFINITY;
+  }
+  if (areaOf(polygon) < LEAST_AREA) return Number.POSITIVE_INFINITY;
+  let least = Number.POSITIVE_INFINITY;
+  for (const [x, z] of polygon) {
+    const floor = heightAt(below, x, z);
+    if (floor <= middle) least = Math.min(least, heightAt(above, x, z) - floor);
+  }
+  return least;
+}
+
+const heightAt = ({ plane: [a, b, c] }: Facet, x: number, z: number): number => a * x + b * z + c;
+
+/** What of a polygon is to the left of the line (Sutherland and Hodgman, 1974). */
+function cut(polygon: readonly Corner[], [fx, fz]: Corner, [tx, tz]: Corner): Corner[] {
+  const side = ([x, z]: Corner) => (tx - fx) * (z - fz) - (tz - fz) * (x - fx);
+  return polygon.flatMap((a, i) => {
+    const b = polygon[(i + 1) % polygon.length] as Corner;
+    const [da, db] = [side(a), side(b)];
+    const kept: Corner[] = da >= 0 ? [a] : [];
+    if (da >= 0 !== db >= 0) {
+      const t = da / (da - db);
+      kept.push([a[0] + t * (b[0] - a[0]), a[1] + t * (b[1] - a[1])]);
+    }
+    return kept;
+  });
+}
+
+function areaOf(polygon: readonly Corner[]): number {
+  return (
+    polygon.reduce((sum, [x, z], i) => {
+      const [nx, nz] = polygon[(i + 1) % polygon.length] as Corner;
+      return sum + x * nz - nx * z;
+    }, 0) / 2
+  );
+}
+
+interface Plan {
+  readonly x: readonly [number, number];
+  readonly z: readonly [number, number];
+  readonly low: number;
+}
+
+function planOf(soups: readonly Triangles[]): Plan | null {
+  let [x0, x1, z0, z1, low] = [Infinity, -Infinity, Infinity, -Infinity, Infinity];
+  for (const soup of soups)
+    for (let i = 0; i < soup.length; i += 3) {
+      x0 = Math.min(x0, soup[i]!);
+      x1 = Math.max(x1, soup[i]!);
+      low = Math.min(low, soup[i + 1]!);
+      z0 = Math.min(z0, soup[i + 2]!);
+      z1 = Math.max(z1, soup[i + 2]!);
+    }
+  return x0 <= x1 ? { x: [x0, x1], z: [z0, z1], low } : null;
+}
+
+/** The triangles below, by where they are seen from above. */
+class PlanGrid {
+  readonly #plan: Plan;
+  readonly #cells: number;
+  readonly #lists: Facet[][];
+
+  constructor(plan: Plan, cells: number) {
+    this.#plan = plan;
+    this.#cells = cells;
+    this.#lists = Array.from({ length: cells * cells }, () => []);
+  }
+
+  add(triangles: Triangles, at: number): void {
+    const found = facet(triangles, at);
+    if (found) for (const cell of this.#cellsOf(found)) this.#lists[cell]?.push(found);
+  }
+
+  near(above: Facet): Set<Facet> {
+    const found = new Set<Facet>();
+    for (const cell of this.#cellsOf(above)) for (const below of this.#lists[cell] ?? []) found.add(below);
+    return found;
+  }
+
+  *#cellsOf({ corners }: Facet): Generator<number> {
+    const [x0, x1] = this.#range(
+      corners.map(([x]) => x),
+      this.#plan.x,
+    );
+    const [z0, z1] = this.#range(
+      corners.map(([, z]) => z),
+      this.#plan.z,
+    );
+    for (let row = z0; row <= z1; row++)
+      for (let column = x0; column <= x1; column++) yield row * this.#cells + column;
+  }
+
+  /** Cells from the first to the last; none for what is beside the plan. */
+  #range(values: readonly number[], [from, to]: readonly [number, number]): readonly [number, number] {
+    const [low, high] = [Math.min(...values), Math.max(...values)];
+    if (high < from || low > to) return [0, -1];
+    const cell = (value: number) =>
+      Math.min(this.#cells - 1, Math.max(0, Math.floor(((value - from) / (to - from || 1)) * this.#cells)));
+    return [cell(low), cell(high)];
+  }
+}

@@ -1,0 +1,68 @@
+/** What a click on the picture selects. */
+import type { SceneMirror } from '../../../scene/mirror.ts';
+import type { Session } from '../../session.ts';
+import type { Entity } from '../../state.ts';
+import type { FocusPicking } from '../focus-picking.ts';
+import type { Overlay } from '../overlay.ts';
+import { pickAt } from './picking.ts';
+
+/** A pointer that moves further than this while it is down drags. */
+export const CLICK_PX = 4;
+
+export interface ClickOptions {
+  readonly canvas: HTMLCanvasElement;
+  readonly mirror: SceneMirror;
+  readonly session: Session;
+  readonly overlay: Overlay;
+  readonly focusPicking: FocusPicking;
+}
+
+type Click = Pick<PointerEvent, 'clientX' | 'clientY' | 'shiftKey' | 'ctrlKey' | 'metaKey' | 'altKey'>;
+
+/** Selects what is there; with Shift or Ctrl beside what is selected, with Alt what is behind that. */
+export function clickAt(
+  { canvas, mirror, session, overlay, focusPicking }: ClickOptions,
+  event: Click,
+): void {
+  const { store, state } = session;
+  const box = canvas.getBoundingClientRect();
+  const [x, y] = [event.clientX - box.left, event.clientY - box.top];
+  const [u, v] = [(x / box.width) * 2 - 1, 1 - (y / box.height) * 2];
+  if (focusPicking.on) {
+    focusPicking.at(u, v);
+    return;
+  }
+  const light = overlay.lightAt(x, y);
+  const found: Entity[] = light === null ? [] : [{ kind: 'lights', id: light }];
+  // What is behind a light's symbol matters only to who asks for it.
+  if (light === null || event.altKey)
+    for (const { id } of pickAt(mirror, u, v))
+      if (!store.document.objects[id]?.locked) found.push({ kind: 'objects', id });
+  const entity = event.altKey ? behind(found, state.value.selection) : found[0];
+  if (event.shiftKey || event.ctrlKey || event.metaKey) {
+    if (entity) state.toggleSelected(entity);
+  } else state.select(entity ?? null);
+}
+
+/** The one after what is selected, and after the last the first again. */
+function behind(found: readonly Entity[], selection: Entity | null): Entity | undefined {
+  const at = found.findIndex(({ kind, id }) => kind === selection?.kind && id === selection.id);
+  return found[(at + 1) % found.length];
+}
+
+/** Clicks that nothing else has taken. */
+export function installClicks(options: ClickOptions, onDoubleClick: () => void): void {
+  const { canvas } = options;
+  let down: { x: number; y: number } | null = null;
+  canvas.addEventListener('pointerdown', (event) => {
+    down = event.button === 0 ? { x: event.clientX, y: event.clientY } : null;
+    // Typing ends where the picture is touched.
+    if (document.activeElement instanceof HTMLElement) document.activeElement.blur();
+  });
+  canvas.addEventListener('pointerup', (event) => {
+    if (!down || Math.hypot(event.clientX - down.x, event.clientY - down.y) > CLICK_PX) return;
+    down = null;
+    clickAt(options, event);
+  });
+  canvas.addEventListener('dblclick', onDoubleClick);
+}
