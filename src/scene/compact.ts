@@ -48,7 +48,7 @@ function mapped(value: unknown, map: (key: string, part: unknown) => unknown): u
 }
 
 /** Of JSON values. */
-function isSame(a: unknown, b: unknown): boolean {
+export function isSame(a: unknown, b: unknown): boolean {
   if (a === b) return true;
   if (typeof a !== 'object' || typeof b !== 'object' || a === null || b === null) return false;
   if (Array.isArray(a) !== Array.isArray(b)) return false;

@@ -2,6 +2,28 @@
 
 /** An id that `taken` does not have: the base, or the base with a number. */
 export function freeId(base: string, taken: Readonly<Record<string, unknown>>): string {
+  return firstFree(slugOf(base), (id) => Object.hasOwn(taken, id)).id;
+}
+
+/** Ids for many things at once: what was given is taken, and no number is tried twice. */
+export class FreeIds {
+  readonly #taken: Set<string>;
+  readonly #next = new Map<string, number>();
+
+  constructor(taken: Iterable<string>) {
+    this.#taken = new Set(taken);
+  }
+
+  take(base: string): string {
+    const slug = slugOf(base);
+    const { id, next } = firstFree(slug, (id) => this.#taken.has(id), this.#next.get(slug));
+    this.#next.set(slug, next);
+    this.#taken.add(id);
+    return id;
+  }
+}
+
+function slugOf(base: string): string {
   const slug = base
     .normalize('NFD')
     .toLowerCase()
@@ -9,11 +31,14 @@ export function freeId(base: string, taken: Readonly<Record<string, unknown>>): 
     .replace(/^[^a-z]+|-+$/g, '')
     .slice(0, 48)
     .replace(/-+$/, '');
-  const start = slug === '' ? 'item' : slug;
-  if (!Object.hasOwn(taken, start)) return start;
-  let n = 2;
-  while (Object.hasOwn(taken, `${start}-${n}`)) n += 1;
-  return `${start}-${n}`;
+  return slug === '' ? 'item' : slug;
+}
+
+function firstFree(slug: string, isTaken: (id: string) => boolean, from = 1): { id: string; next: number } {
+  const numbered = (n: number) => (n === 1 ? slug : `${slug}-${n}`);
+  let n = from;
+  while (isTaken(numbered(n))) n += 1;
+  return { id: numbered(n), next: n + 1 };
 }
 
 /** A name that none of `taken` has: the base, or the base with a number. */

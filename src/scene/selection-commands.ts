@@ -4,7 +4,7 @@ import { DocumentError, pathText } from './error.ts';
 import { dropEmptied } from './group-commands.ts';
 import { keyOf, membersOf, wholeGroups } from './groups.ts';
 import { removeMaterials } from './material-commands.ts';
-import { FreeNames, freeId } from './names.ts';
+import { FreeIds, FreeNames } from './names.ts';
 import type { Document } from './schema.ts';
 import type { DocumentStore } from './store.ts';
 
@@ -55,10 +55,11 @@ export function duplicateEntities(store: DocumentStore, refs: readonly EntityRef
   store.edit(`Duplicate ${describeEntities(document, originals)}`, (draft) => {
     const whole = wholeGroups(document, originals);
     const groupNames = new FreeNames(namesOf(document.groups));
+    const groupIds = new FreeIds(Object.keys(document.groups));
     const copyOf = new Map<string, string>();
     for (const id of whole) {
       const { name, parent } = entity(document, 'groups', id);
-      const copy = freeId(baseOf(id), draft.groups);
+      const copy = groupIds.take(baseOf(id));
       draft.groups[copy] = { name: groupNames.take(name), parent };
       copyOf.set(id, copy);
     }
@@ -66,13 +67,13 @@ export function duplicateEntities(store: DocumentStore, refs: readonly EntityRef
       const group = entity(draft, 'groups', copy);
       group.parent = copyOf.get(group.parent ?? '') ?? group.parent;
     }
-    const ids = new IdsOf(document);
     for (const kind of ['lights', 'objects', 'materials'] as const) {
       const names = new FreeNames(namesOf(document[kind]));
+      const ids = new FreeIds(Object.keys(document[kind]));
       for (const ref of originals) {
         if (ref.kind !== kind) continue;
         const original = entity(document, kind, ref.id);
-        const id = ids.take(kind, baseOf(ref.id));
+        const id = ids.take(baseOf(ref.id));
         const target: Record<string, object> = draft[kind];
         target[id] = {
           ...structuredClone(original),
@@ -91,24 +92,6 @@ export function duplicateEntities(store: DocumentStore, refs: readonly EntityRef
 
 /** `sphere-12` was made of `sphere`. */
 const baseOf = (id: string) => id.replace(/-\d+$/, '');
-
-/** Free ids of many entities, without asking a draft for each. */
-class IdsOf {
-  readonly #taken: Record<string, Record<string, true>> = {};
-  readonly #document: Document;
-
-  constructor(document: Document) {
-    this.#document = document;
-  }
-
-  take(kind: EntityRef['kind'], base: string): string {
-    this.#taken[kind] ??= Object.fromEntries(Object.keys(this.#document[kind]).map((id) => [id, true]));
-    const taken = this.#taken[kind];
-    const id = freeId(base, taken);
-    taken[id] = true;
-    return id;
-  }
-}
 
 export function setVisible(store: DocumentStore, refs: readonly MemberRef[], visible: boolean): void {
   setFlag(store, refs, 'visible', visible, visible ? 'Show' : 'Hide');

@@ -14,6 +14,8 @@ export interface Action {
   readonly keys?: readonly string[];
   /** Its keys run it while something is being typed, too. */
   readonly whileTyping?: boolean;
+  /** The browser has an event of its own for its keys, such as `copy`, and somebody listens to that. */
+  readonly hasEvent?: boolean;
   /** Whether it can be run now; always, if not given. */
   readonly enabled?: () => boolean;
   /** For what is on or off. */

@@ -2,6 +2,7 @@
 import { toggleSource } from '../commands.ts';
 import { t } from '../language/language.ts';
 import type { Session } from '../session.ts';
+import { toastError } from '../ui/toast.ts';
 import type { Action } from './action.ts';
 
 export function editActions(session: Session): Action[] {
@@ -22,6 +23,12 @@ export function editActions(session: Session): Action[] {
       run: () => store.redo(),
     },
     {
+      id: 'edit.history',
+      title: t('History…'),
+      keys: ['Ctrl+Alt+Z'],
+      run: () => void openHistory(session),
+    },
+    {
       id: 'edit.source',
       title: t('Edit the source of the model'),
       keys: ['Ctrl+E'],
@@ -29,4 +36,13 @@ export function editActions(session: Session): Action[] {
       run: () => toggleSource(store, state),
     },
   ];
+}
+
+async function openHistory(session: Session): Promise<void> {
+  const anchor = document.querySelector<HTMLElement>('[data-action="undo"]') ?? document.body;
+  try {
+    (await import('../panels/history/history.ts')).openHistory(session, anchor);
+  } catch (error) {
+    toastError(t('This part of the page did not come'), error);
+  }
 }

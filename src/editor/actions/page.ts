@@ -22,6 +22,13 @@ export function pageActions(session: Session): Action[] {
       run: () => focusRegion(-1),
     },
     {
+      id: 'page.palette',
+      title: t('Command palette…'),
+      keys: ['Ctrl+K', 'Ctrl+Shift+P'],
+      whileTyping: true,
+      run: () => load(async () => (await import('../panels/palette/palette.ts')).openPalette(session)),
+    },
+    {
       id: 'help.shortcuts',
       title: t('Keyboard shortcuts'),
       keys: ['?', 'F1'],

@@ -16,6 +16,7 @@ export function installShortcuts(actions: Actions): void {
       .withKeys(pressed)
       .find(({ enabled, whileTyping }) => (whileTyping || !typing) && enabled?.() !== false);
     if (!found || isTheTargets(target, pressed)) return;
+    if (found.hasEvent && found.keys?.includes(pressed)) return;
     // Also keeps the browser from its own meaning of Ctrl+S, Ctrl+O and Ctrl+D.
     event.preventDefault();
     found.run();

@@ -1,15 +1,14 @@
 /** The top bar: files, what can be added, undo and redo, the term that is looked at, screenshot. */
 
-import { addLight, addObject, removeUnused } from '../../../scene/commands.ts';
+import { removeUnused } from '../../../scene/commands.ts';
 import { addableGeometries, geometryNames } from '../../../scene/geometry-schema.ts';
 import { lightDefaults, lightTypes } from '../../../scene/light-schema.ts';
-import { addMaterial } from '../../../scene/material-commands.ts';
 import { actionEntry, type EntryLook } from '../../actions/entry.ts';
 import { attempt, toggleBench, toggleHelpers } from '../../commands.ts';
 import { t, translate } from '../../language/language.ts';
 import type { Session } from '../../session.ts';
 import { h } from '../../ui/dom.ts';
-import { type IconName, icon, isIcon } from '../../ui/icons.ts';
+import { icon, isIcon } from '../../ui/icons.ts';
 import { type MenuEntry, menuButton, openMenu } from '../../ui/menu.ts';
 import { createTitle } from '../documents/title.ts';
 import { presetEntries } from '../inspector/preset.ts';
@@ -156,8 +155,15 @@ function editEntries(session: Session): MenuEntry[] {
   return [
     actionEntry(actions, 'edit.undo', { icon: 'undo', label: undo }),
     actionEntry(actions, 'edit.redo', { icon: 'redo', label: redo }),
+    actionEntry(actions, 'edit.history', { icon: 'list' }),
     'separator',
     ...selectionEntries(session),
+    'separator',
+    actionEntry(actions, 'edit.selectAll'),
+    actionEntry(actions, 'edit.selectInverse'),
+    actionEntry(actions, 'edit.showAll'),
+    actionEntry(actions, 'edit.unlockAll'),
+    actionEntry(actions, 'edit.find', { icon: 'search' }),
     'separator',
     { heading: t('Preset of the effects') },
     ...presetEntries(session),
@@ -169,41 +175,17 @@ function editEntries(session: Session): MenuEntry[] {
   ];
 }
 
-function addEntries({ store, state }: Session): MenuEntry[] {
-  const iconFor = (type: string): IconName => (isIcon(type) ? type : 'mesh');
+function addEntries({ actions }: Session): MenuEntry[] {
+  const entry = (type: string, name: string): MenuEntry =>
+    actionEntry(actions, `add.${type}`, { label: translate(name), icon: isIcon(type) ? type : 'mesh' });
   return [
     { heading: t('Objects') },
-    ...addableGeometries.map(
-      (type): MenuEntry => ({
-        label: translate(geometryNames[type]),
-        icon: iconFor(type),
-        run: () => {
-          const id = attempt(t('Not added'), () => addObject(store, type));
-          if (id) state.select({ kind: 'objects', id });
-        },
-      }),
-    ),
+    ...addableGeometries.map((type) => entry(type, geometryNames[type])),
     'separator',
     { heading: t('Lights') },
-    ...lightTypes.map(
-      (type): MenuEntry => ({
-        label: translate(lightDefaults[type].name),
-        icon: iconFor(type),
-        run: () => {
-          const id = attempt(t('Not added'), () => addLight(store, type));
-          if (id) state.select({ kind: 'lights', id });
-        },
-      }),
-    ),
+    ...lightTypes.map((type) => entry(type, lightDefaults[type].name)),
     'separator',
-    {
-      label: t('Material'),
-      icon: 'material',
-      run: () => {
-        const id = attempt(t('Not added'), () => addMaterial(store));
-        if (id) state.select({ kind: 'materials', id });
-      },
-    },
+    entry('material', 'Material'),
   ];
 }
 

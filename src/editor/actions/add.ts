@@ -1,0 +1,41 @@
+/** What can be added to the scene, and the scenes that ship. */
+import { addLight, addObject } from '../../scene/commands.ts';
+import { addableGeometries, geometryNames } from '../../scene/geometry-schema.ts';
+import { lightDefaults, lightTypes } from '../../scene/light-schema.ts';
+import { addMaterial } from '../../scene/material-commands.ts';
+import { attempt } from '../commands.ts';
+import { t, translate } from '../language/language.ts';
+import type { Session } from '../session.ts';
+import type { EntityKind } from '../state.ts';
+import type { Action } from './action.ts';
+
+export function addActions({ store, state }: Session): Action[] {
+  const action = (kind: EntityKind, type: string, name: string, add: () => string): Action => ({
+    id: `add.${type}`,
+    title: t('Add {what}', { what: translate(name).toLocaleLowerCase() }),
+    run() {
+      const id = attempt(t('Not added'), add);
+      if (id) state.select({ kind, id });
+    },
+  });
+  return [
+    ...addableGeometries.map((type) =>
+      action('objects', type, geometryNames[type], () => addObject(store, type)),
+    ),
+    ...lightTypes.map((type) =>
+      action('lights', type, lightDefaults[type].name, () => addLight(store, type)),
+    ),
+    action('materials', 'material', 'Material', () => addMaterial(store)),
+  ];
+}
+
+export function sceneActions(
+  scenes: readonly { name: string; title: string }[],
+  open: (name: string) => void,
+): Action[] {
+  return scenes.map(({ name, title }) => ({
+    id: `scene.${name}`,
+    title: t('Open the scene {title}', { title }),
+    run: () => open(name),
+  }));
+}

@@ -1,0 +1,80 @@
+/** What the command palette offers: everything that can be done now, everything in the scene. */
+import type { EntityKind } from '../../../scene/entity.ts';
+import type { Action } from '../../actions/action.ts';
+import { t } from '../../language/language.ts';
+import type { Session } from '../../session.ts';
+import type { Entity } from '../../state.ts';
+import type { IconName } from '../../ui/icons.ts';
+import { kindOf } from '../outliner/tree.ts';
+import { matchScore, plain } from './fuzzy.ts';
+
+export interface PaletteItem {
+  readonly title: string;
+  /** What it is, in a word or two; found, too. */
+  readonly kind: string;
+  readonly icon: IconName | null;
+  readonly shortcut?: string;
+  /** What is looked for, as plain() makes it. */
+  readonly text: string;
+  run(): void;
+}
+
+const SUBJECTS: Readonly<Record<string, string>> = {
+  file: t('File'),
+  edit: t('Edit'),
+  view: t('View'),
+  add: t('Add'),
+  scene: t('Scenes'),
+  learn: t('Lessons'),
+  help: t('Help'),
+  page: t('Page'),
+};
+
+export function paletteItems({ actions, store, state, focusSelection }: Session): PaletteItem[] {
+  const { document } = store;
+  const ofAction = (action: Action): PaletteItem => {
+    const subject = SUBJECTS[action.id.replace(/\..*/, '')] ?? '';
+    const shortcut = actions.shortcut(action.id);
+    return {
+      title: action.title,
+      kind: subject,
+      icon: action.on?.() ? 'check' : null,
+      ...(shortcut !== undefined && { shortcut }),
+      text: plain(`${action.title} ${subject}`),
+      run: () => actions.run(action.id),
+    };
+  };
+  const ofEntity = (entity: Entity, name: string): PaletteItem => {
+    const { icon, texts } = kindOf(document, entity);
+    const kind = texts.at(-1) ?? '';
+    return {
+      title: name,
+      kind,
+      icon,
+      text: plain(`${name} ${texts.join(' ')}`),
+      run() {
+        state.select(entity);
+        if (entity.kind !== 'materials') focusSelection();
+      },
+    };
+  };
+  const kinds: readonly EntityKind[] = ['objects', 'lights', 'materials'];
+  return [
+    ...actions.all.filter(({ id, enabled }) => id !== 'page.palette' && enabled?.() !== false).map(ofAction),
+    ...kinds.flatMap((kind) =>
+      Object.entries<{ name: string }>(document[kind]).map(([id, { name }]) => ofEntity({ kind, id }, name)),
+    ),
+  ];
+}
+
+/** The items that fit, the best first; all in their order where nothing was typed. */
+export function findItems(items: readonly PaletteItem[], query: string, most: number): PaletteItem[] {
+  const typed = plain(query.trim());
+  if (typed === '') return items.slice(0, most);
+  return items
+    .map((item) => ({ item, score: matchScore(typed, item.text) }))
+    .filter((found): found is { item: PaletteItem; score: number } => found.score !== null)
+    .sort((a, b) => b.score - a.score)
+    .slice(0, most)
+    .map(({ item }) => item);
+}
