@@ -18,6 +18,7 @@ import { learnActions, learning } from './actions/learn.ts';
 import { pageActions } from './actions/page.ts';
 import { selectionActions } from './actions/selection.ts';
 import { installShortcuts } from './actions/shortcuts.ts';
+import { toolActions } from './actions/tools.ts';
 import { viewActions } from './actions/view.ts';
 import { installClipboard } from './clipboard.ts';
 import { installErrorReports, showStartFailure } from './errors.ts';
@@ -31,6 +32,7 @@ import { createBench } from './panels/bench/bench.ts';
 import { exportEntries } from './panels/export/entries.ts';
 import { createInspector } from './panels/inspector/inspector.ts';
 import { createOutliner } from './panels/outliner/outliner.ts';
+import { createSheetTabs } from './panels/sheets.ts';
 import { createSourcePanel } from './panels/source/source.ts';
 import { FrameTimes } from './panels/status/frame-times.ts';
 import { createStatus } from './panels/status/status.ts';
@@ -45,6 +47,7 @@ import { saveDocument } from './storage/save-file.ts';
 import { Workspace } from './storage/workspace.ts';
 import { followSystemTheme } from './theme/theme.ts';
 import { h } from './ui/dom.ts';
+import { installLongPress } from './ui/long-press.ts';
 import type { MenuEntry } from './ui/menu.ts';
 import { startProgress, toast, toastError } from './ui/toast.ts';
 import { installTooltip } from './ui/tooltip.ts';
@@ -73,6 +76,7 @@ const PATIENCE_MS = 400;
 
 installErrorReports();
 followSystemTheme();
+installLongPress();
 installTooltip((action) => session.actions.shortcut(action));
 
 const store = new DocumentStore(createDocument());
@@ -111,8 +115,9 @@ const session: Session = {
   chooseFiles,
   renameSelected: () => outliner.renameSelected(),
   findInScene: () => outliner.search(),
-  focusSelection: () => window.irradia.viewport?.focusSelection(),
-  pickFocus: () => window.irradia.viewport?.pickFocus(),
+  focusSelection: () => window.irradia.viewport?.hands.focusSelection(),
+  pickFocus: () => window.irradia.viewport?.hands.pickFocus(),
+  hands: () => window.irradia.viewport?.hands ?? null,
 };
 
 /** A scene that is nobody's work: it gets the effects that this device draws without effort. */
@@ -122,7 +127,7 @@ let presetOfDevice: PresetOfDevice | null = null;
 const outliner = createOutliner(session);
 const times = new FrameTimes();
 const status = createStatus(state, times, session.gpuTimes);
-const canvas = h('canvas', { tabindex: -1, 'aria-label': t('Viewport') });
+const canvas = h('canvas', { tabindex: 0, role: 'application', 'aria-label': t('Viewport') });
 const loading = h('div', { class: 'loading' }, t('Loading…'));
 const view = h('main', { class: 'viewport' }, canvas, loading);
 
@@ -149,6 +154,7 @@ document.getElementById('app')?.replaceChildren(
     renderer: () => window.irradia.renderer,
   }),
   status.element,
+  createSheetTabs(session),
 );
 store.subscribe(({ reason, document }) => {
   if (reason !== 'open') return;
@@ -168,6 +174,7 @@ session.actions.add(selectionActions(session));
 session.actions.add(addActions(session));
 session.actions.add(sceneActions(shippedScenes, openShipped));
 session.actions.add(viewActions(session));
+session.actions.add(toolActions(session));
 session.actions.add(learnActions(session));
 session.actions.add(pageActions(session));
 installShortcuts(session.actions);
