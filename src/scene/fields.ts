@@ -6,7 +6,7 @@
  */
 import { z } from 'zod';
 
-export type Unit = 'm' | 'mm' | 's' | 'ms' | '°' | 'nt' | 'lx' | 'cd' | 'K' | 'EV' | '×';
+export type Unit = 'm' | 'mm' | 's' | 'ms' | 'h' | '°' | 'nt' | 'lx' | 'cd' | 'K' | 'EV' | '×';
 
 export type FieldKind =
   | 'number'

@@ -11,20 +11,22 @@
  */
 import { z } from 'zod';
 import { effectsDefaults, effectsFileSchema, effectsSchema } from './effects-schema.ts';
+import {
+  backgroundDefault,
+  backgroundSchema,
+  environmentDefaults,
+  environmentFileSchema,
+  environmentSchema,
+} from './environment-schema.ts';
 import { boolean, group, id, reference, vector3, withDefaults } from './fields.ts';
 import { geometryDefaults, geometryFileSchema, geometrySchema } from './geometry-schema.ts';
 import { groupFileSchema, groupSchema, memberDefaults, memberShape } from './group-schema.ts';
 import { lightFileSchema, lightSchema, nameField } from './light-schema.ts';
 import { materialFileSchema, materialSchema, modelName } from './material-schema.ts';
 import {
-  backgroundDefault,
-  backgroundSchema,
   cameraDefaults,
   cameraFileSchema,
   cameraSchema,
-  environmentDefaults,
-  environmentFileSchema,
-  environmentSchema,
   fogDefaults,
   fogFileSchema,
   fogSchema,
@@ -240,15 +242,13 @@ export const documentFileSchema = withDefaults(
 );
 
 export type { EffectName, Effects } from './effects-schema.ts';
+export type { Background, Environment, EnvironmentSource, SoftBox } from './environment-schema.ts';
 export type { AddableGeometry, Geometry, GeometryOf, GeometryType } from './geometry-schema.ts';
 export type { Group } from './group-schema.ts';
 export type { Light, LightOf, LightType } from './light-schema.ts';
 export type { Material, MaterialMap, ScaledTextureRef, TextureRef } from './material-schema.ts';
 export type {
-  Background,
   Camera,
-  Environment,
-  EnvironmentSource,
   Fog,
   PathTracing,
   View,

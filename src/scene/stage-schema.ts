@@ -1,7 +1,6 @@
-/** What a scene has once: camera, fog, environment, background, view, path tracing. */
+/** What a scene has once: camera, fog, view, path tracing; environment-schema.ts has its surroundings. */
 import { z } from 'zod';
-import { boolean, choice, color, id, integer, number, reference, vector3, withDefaults } from './fields.ts';
-import { environmentPresets } from './presets.ts';
+import { boolean, choice, color, id, integer, number, vector3, withDefaults } from './fields.ts';
 
 export const cameraShape = {
   fov: number('Vertical field of view', { range: [1, 170], unit: '°', slider: [10, 120], step: 0.5 }),
@@ -88,62 +87,6 @@ export const fogShape = {
   }),
 };
 
-export const environmentSourceShapes = {
-  none: { type: z.literal('none') },
-  constant: {
-    type: z.literal('constant'),
-    color: color('Colour of the light that comes from everywhere, linear Rec. 709'),
-  },
-  hdr: {
-    type: z.literal('hdr'),
-    asset: reference('An equirectangular HDR or EXR image', 'assets'),
-  },
-  preset: {
-    type: z.literal('preset'),
-    name: choice('An environment that comes with Irradia', environmentPresets),
-  },
-};
-
-export const environmentSourceSchema = z.discriminatedUnion('type', [
-  z.strictObject(environmentSourceShapes.none),
-  z.strictObject(environmentSourceShapes.constant),
-  z.strictObject(environmentSourceShapes.hdr),
-  z.strictObject(environmentSourceShapes.preset),
-]);
-export type EnvironmentSource = z.output<typeof environmentSourceSchema>;
-
-export const environmentShape = {
-  source: environmentSourceSchema,
-  intensity: number('Luminance of a white texel', {
-    range: [0, 1e6],
-    unit: 'nt',
-    slider: [0, 5],
-    step: 0.01,
-  }),
-  rotation: number('Rotation of the environment about the vertical', {
-    range: [-360, 360],
-    unit: '°',
-    slider: [-180, 180],
-    step: 1,
-  }),
-  samples: integer('Directions per pixel from which its light is gathered', {
-    range: [1, 1024],
-    slider: [1, 128],
-  }),
-};
-
-export const backgroundShapes = {
-  color: { type: z.literal('color'), color: color('Colour behind the scene, linear Rec. 709') },
-  environment: {
-    type: z.literal('environment'),
-    blur: number('How far the environment is out of focus', { range: [0, 1], step: 0.01 }),
-  },
-};
-export const backgroundSchema = z.discriminatedUnion('type', [
-  z.strictObject(backgroundShapes.color),
-  z.strictObject(backgroundShapes.environment),
-]);
-
 export const termSchema = z.strictObject({
   material: id.describe('The material whose model is looked at'),
   name: z
@@ -225,14 +168,11 @@ export const pathTracingShape = {
 
 export const cameraSchema = z.strictObject(cameraShape);
 export const fogSchema = z.strictObject(fogShape);
-export const environmentSchema = z.strictObject(environmentShape);
 export const viewSchema = z.strictObject(viewShape);
 export const pathTracingSchema = z.strictObject(pathTracingShape);
 
 export type Camera = z.output<typeof cameraSchema>;
 export type Fog = z.output<typeof fogSchema>;
-export type Environment = z.output<typeof environmentSchema>;
-export type Background = z.output<typeof backgroundSchema>;
 export type View = z.output<typeof viewSchema>;
 export type PathTracing = z.output<typeof pathTracingSchema>;
 
@@ -256,16 +196,6 @@ export const fogDefaults: Readonly<Fog> = {
   height: 0,
   base: 0,
 };
-export const environmentDefaults: Readonly<Environment> = {
-  source: { type: 'none' },
-  intensity: 1,
-  rotation: 0,
-  samples: 32,
-};
-export const backgroundDefault: Readonly<Background> = {
-  type: 'color',
-  color: [0.02, 0.02, 0.022],
-};
 export const viewDefaults: Readonly<View> = {
   show: 'picture',
   exposureMode: 'manual',
@@ -287,6 +217,5 @@ export const pathTracingDefaults: Readonly<PathTracing> = {
 
 export const cameraFileSchema = withDefaults(cameraShape, cameraDefaults);
 export const fogFileSchema = withDefaults(fogShape, fogDefaults);
-export const environmentFileSchema = withDefaults(environmentShape, environmentDefaults);
 export const viewFileSchema = withDefaults(viewShape, viewDefaults);
 export const pathTracingFileSchema = withDefaults(pathTracingShape, pathTracingDefaults);

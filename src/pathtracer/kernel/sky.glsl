@@ -42,12 +42,22 @@ vec3 skyRadiance(vec3 d) {
   return mapRadiance(sky, d) + loadFloat4(d.y > 0.0 ? 4 : 5).xyz;
 }
 
+// The disc of the sky's sun, which shines as a light of its own: it is seen, not found by chance.
+vec3 sunDisc(vec3 d) {
+  vec4 sun = loadFloat4(10);
+  if (sun.w == 0.0 || d.y <= 0.0 || dot(d, sun.xyz) <= 0.0) return vec3(0.0);
+  // The sine of the angle to its middle over that of its edge.
+  float sine = length(cross(d, sun.xyz)) / sun.w;
+  if (sine >= 1.0) return vec3(0.0);
+  return loadFloat4(11).xyz * pow(vec3(sqrt(1.0 - sine * sine)), loadFloat4(12).xyz);
+}
+
 // What the camera sees behind the scene.
 vec3 backgroundRadiance(vec3 d) {
   vec4 background = loadFloat4(3);
   if (background.w == 0.0) return background.xyz;
   int sky = int(loadUint4(2).z);
-  return sky == 0 ? vec3(0.0) : mapRadiance(sky, d);
+  return (sky == 0 ? vec3(0.0) : mapRadiance(sky, d)) + sunDisc(d);
 }
 
 // The density of sampleSky() in a cell, in 1/sr.

@@ -1,3 +1,4 @@
+import { lightsOf } from '../../scene/sky/sun.ts';
 import { writeTriangleLights } from './emitters.ts';
 import { LIGHT_SLOTS, LIGHT_TYPES, NONE } from './layout.ts';
 import { type TreeLight, writeLightTree } from './light-tree.ts';
@@ -25,7 +26,7 @@ export interface WrittenLights {
 /** Writes all lights and the tree of the finite ones; their bit trails are set. */
 export async function writeLights(words: Words, scene: Scene, pace: Pace): Promise<WrittenLights> {
   const { document, instances, materials, textures, distribution } = scene;
-  const records = Object.values(document.lights).flatMap((light) => lightRecord(light) ?? []);
+  const records = Object.values(lightsOf(document)).flatMap((light) => lightRecord(light) ?? []);
   // Rectangles come first: they are looked for along rays (kernel/integrator.glsl).
   const isRectangle = ({ type }: LightRecord) => type === LIGHT_TYPES.rectangle;
   const rectangles = records.filter(isRectangle);

@@ -6,8 +6,11 @@
  */
 import { type Model, multipleScatteringModel } from '../../glsl/model.ts';
 import type { AssetLoader } from '../../scene/assets.ts';
+import { environmentScale } from '../../scene/environment-map.ts';
 import { findModel } from '../../scene/models.ts';
 import type { Document, SceneObject } from '../../scene/schema.ts';
+import { SUN_ANGULAR_RADIUS } from '../../scene/sky/atmosphere.ts';
+import { LIMB_POWERS, sunOf } from '../../scene/sky/sun.ts';
 import { PathTracerError } from './error.ts';
 import { GenericTables } from './generic-table.ts';
 import { type Placement, placementOf, rowsOf, worldBox, writeInstanceTree } from './instances.ts';
@@ -117,7 +120,7 @@ export class ScenePacker {
     signal?.throwIfAborted();
     const distribution = await skyDistribution(
       map,
-      document.environment.intensity,
+      environmentScale(document.environment),
       uniformSky(document),
       pace,
     );
@@ -251,11 +254,17 @@ function writeInstances(
   return first;
 }
 
-/** Background, the sky's even part, fog and the sphere around the objects, whose radius is 0 where there are none. */
+/** Background, the sun's disc, the sky's even part, fog and the sphere around the objects, whose radius is 0 where there are none. */
 function writeSurroundings(header: Words, document: Document, boxes: readonly number[]): void {
   const { background } = document;
   if (background.type === 'color') header.setFloats(HEADER.background, ...background.color);
   else header.setFloats(HEADER.background, 0, 0, 0, 1);
+  const sun = sunOf(document.environment);
+  if (sun !== null) {
+    header.setFloats(HEADER.sunDirection, ...sun.direction, Math.sin(SUN_ANGULAR_RADIUS));
+    header.setFloats(HEADER.sunLuminance, ...sun.luminance);
+    header.setFloats(HEADER.sunLimb, ...LIMB_POWERS);
+  }
   const { upper, lower } = uniformSky(document);
   header.setFloats(HEADER.upperSky, ...upper);
   header.setFloats(HEADER.lowerSky, ...lower);

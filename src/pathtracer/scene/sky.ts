@@ -1,6 +1,12 @@
 import { type DataTexture, DataUtils, HalfFloatType, MathUtils } from 'three/webgpu';
 import { luminance } from '../../color/rec709.ts';
 import type { AssetLoader } from '../../scene/assets.ts';
+import {
+  computeEnvironment,
+  type EnvironmentMap,
+  environmentScale,
+  isComputed,
+} from '../../scene/environment-map.ts';
 import type { Asset, Document, EnvironmentSource } from '../../scene/schema.ts';
 import { PathTracerError } from './error.ts';
 import { SKY_SLOTS } from './layout.ts';
@@ -10,12 +16,7 @@ import type { Words } from './words.ts';
 
 type Rgb = [number, number, number];
 
-/** An environment: RGBA floats, row 0 is y = -1. */
-export interface SkyMap {
-  readonly texels: Float32Array;
-  readonly width: number;
-  readonly height: number;
-}
+export type SkyMap = EnvironmentMap;
 
 /** Loads environments, the last one again for nothing. */
 export class SkyMaps {
@@ -38,14 +39,19 @@ export class SkyMaps {
     if (source.type === 'hdr' && asset === null) return null;
     const same = asset === null ? sameSource(source, this.#source) : asset === this.#asset;
     if (this.#map !== null && same) return this.#map;
+    this.#map = isComputed(source) ? await computeEnvironment(source) : await this.#load(source, asset);
+    [this.#source, this.#asset] = [source, asset];
+    return this.#map;
+  }
+
+  async #load(source: EnvironmentSource, asset: Asset | null): Promise<SkyMap> {
     const texture =
       source.type === 'preset'
         ? await this.#assets.preset(source.name)
         : await this.#assets.environment(asset as Asset);
-    this.#map = readSkyMap(texture);
-    [this.#source, this.#asset] = [source, asset];
+    const map = readSkyMap(texture);
     texture.dispose();
-    return this.#map;
+    return map;
   }
 }
 
@@ -211,6 +217,12 @@ export function writeSky(
   if (map !== null) words.setUints(slot, map.width, map.height, places.texels / 4, 0);
   words.setUints(slot + 1, distribution.width, distribution.height, places.marginal, places.conditional);
   const angle = MathUtils.degToRad(environment.rotation);
-  words.setFloats(slot + 2, environment.intensity, Math.cos(angle), Math.sin(angle), distribution.integral);
+  words.setFloats(
+    slot + 2,
+    environmentScale(environment),
+    Math.cos(angle),
+    Math.sin(angle),
+    distribution.integral,
+  );
   return slot;
 }

@@ -1,18 +1,33 @@
 /** The light that comes from everywhere, and what is seen behind the scene. */
 import * as THREE from 'three/webgpu';
 import type { AssetLoader } from '../assets.ts';
+import {
+  type ComputedSource,
+  computeEnvironment,
+  type EnvironmentMap,
+  environmentScale,
+  isComputed,
+} from '../environment-map.ts';
 import type { Asset, Document } from '../schema.ts';
+import { sunOf } from '../sky/sun.ts';
 import type { Pending } from './pending.ts';
+import { SkyBackground } from './sky-background.ts';
+
+/** What has been chosen: a shipped image or numbers, as text, or the asset itself. */
+type Identity = string | Asset;
 
 export class EnvironmentMirror {
   readonly #scene: THREE.Scene;
   readonly #assets: AssetLoader;
   readonly #pending: Pending;
-  /** What the present texture was made of. */
-  #source: string | Asset = 'none';
+  #identity: Identity = 'none';
   #texture: THREE.DataTexture | null = null;
-  /** The texture of a constant environment, while there is one. */
-  #constant: THREE.DataTexture | null = null;
+  /** Made here, with one image or another as the numbers change: another texture would be another shader. */
+  #own: THREE.DataTexture | null = null;
+  /** By what the texels of the image were divided, so that half floats hold them. */
+  #unit = 1;
+  #sky: SkyBackground | null = null;
+  #document: Document | null = null;
 
   constructor(scene: THREE.Scene, assets: AssetLoader, pending: Pending) {
     this.#scene = scene;
@@ -24,32 +39,27 @@ export class EnvironmentMirror {
     const { environment, background, assets } = document;
     if (before?.environment === environment && before.background === background && before.assets === assets)
       return;
+    this.#document = document;
     this.#setSource(document);
-    const scene = this.#scene;
-    const rotation = THREE.MathUtils.degToRad(environment.rotation);
-    // Where BrdfMaterial looks for it.
-    scene.userData.environmentSamples = environment.samples;
-    scene.environmentIntensity = environment.intensity;
-    scene.environmentRotation.set(0, rotation, 0);
-    scene.backgroundIntensity = background.type === 'environment' ? environment.intensity : 1;
-    scene.backgroundRotation.set(0, rotation, 0);
-    scene.backgroundBlurriness = background.type === 'environment' ? background.blur : 0;
-    this.#setBackground(document);
+    this.#setScene(document);
   }
 
   dispose(): void {
     this.#show(null);
+    this.#document = null;
     this.#scene.background = null;
+    this.#scene.backgroundNode = null;
+    this.#sky?.dispose();
   }
 
   #setSource(document: Document): void {
     const { source } = document.environment;
-    const identity =
-      source.type === 'hdr' ? (document.assets[source.asset] ?? 'none') : JSON.stringify(source);
-    if (identity === this.#source) return;
-    this.#source = identity;
+    const identity = identityOf(document);
+    if (identity === this.#identity) return;
+    this.#identity = identity;
     if (source.type === 'none') this.#show(null);
-    else if (source.type === 'constant') this.#showConstant(source.color);
+    else if (source.type === 'constant') this.#showOwn(constantMap(source.color));
+    else if (isComputed(source)) this.#pending.add(this.#compute(source, identity), () => {});
     else {
       const loading =
         source.type === 'preset'
@@ -57,45 +67,84 @@ export class EnvironmentMirror {
           : this.#assets.environment(document.assets[source.asset] as Asset);
       this.#pending.add(loading, (texture) => {
         // Another source may have been chosen while this one was on its way.
-        if (this.#source !== identity) texture.dispose();
-        else this.#show(texture);
+        if (this.#identity !== identity) texture.dispose();
+        else {
+          this.#unit = 1;
+          this.#show(texture);
+        }
       });
     }
   }
 
-  /** A colour that is being dragged changes texels: another texture would be another shader. */
-  #showConstant(color: Rgb): void {
-    this.#constant ??= constantEnvironment();
-    fill(this.#constant, color);
-    if (this.#texture !== this.#constant) this.#show(this.#constant);
+  /** While numbers are dragged the page stays alive: what is no longer asked for is not computed. */
+  async #compute(source: ComputedSource, identity: Identity): Promise<void> {
+    await new Promise((resolve) => setTimeout(resolve));
+    if (this.#identity !== identity) return;
+    const map = await computeEnvironment(source);
+    if (this.#identity === identity) this.#showOwn(map);
+  }
+
+  #showOwn(map: EnvironmentMap): void {
+    const { image } = this.#own ?? {};
+    if (image?.width !== map.width || image.height !== map.height) this.#own = null;
+    this.#own ??= emptyTexture(map);
+    this.#unit = fill(this.#own, map);
+    this.#show(this.#own);
   }
 
   #show(texture: THREE.DataTexture | null): void {
     const old = this.#texture;
     this.#texture = texture;
-    this.#scene.environment = texture;
-    // The background is this texture, or the lack of one, unless it is a colour.
-    if (!(this.#scene.background instanceof THREE.Color)) this.#scene.background = texture;
-    if (old === this.#constant) this.#constant = null;
-    old?.dispose();
+    if (old !== texture) {
+      if (old === this.#own) this.#own = null;
+      old?.dispose();
+    }
+    if (this.#document !== null) this.#setScene(this.#document);
   }
 
-  #setBackground({ background }: Document): void {
+  #setScene({ environment, background }: Document): void {
     const scene = this.#scene;
-    if (background.type === 'environment') {
-      scene.background = this.#texture;
+    const intensity = environmentScale(environment) * this.#unit;
+    const rotation = THREE.MathUtils.degToRad(environment.rotation);
+    scene.environment = this.#texture;
+    // Where BrdfMaterial looks for it.
+    scene.userData.environmentSamples = environment.samples;
+    scene.environmentIntensity = intensity;
+    scene.environmentRotation.set(0, rotation, 0);
+    const shown = background.type === 'environment';
+    scene.backgroundIntensity = shown ? intensity : 1;
+    scene.backgroundRotation.set(0, rotation, 0);
+    scene.backgroundBlurriness = shown ? background.blur : 0;
+    scene.backgroundNode = null;
+    if (!shown) {
+      const color = scene.background instanceof THREE.Color ? scene.background : new THREE.Color();
+      scene.background = color.setRGB(...background.color);
       return;
     }
-    const color = scene.background instanceof THREE.Color ? scene.background : new THREE.Color();
-    scene.background = color.setRGB(...background.color);
+    scene.background = this.#texture;
+    if (environment.source.type !== 'sky' || background.blur > 0 || this.#texture === null) return;
+    this.#sky ??= new SkyBackground();
+    scene.backgroundNode = this.#sky.show(this.#texture, sunOf(environment), intensity);
   }
+}
+
+function identityOf({ environment: { source }, assets }: Document): Identity {
+  if (source.type === 'hdr') return assets[source.asset] ?? 'none';
+  // Its light is counted elsewhere, and changes no image.
+  return JSON.stringify(source.type === 'sky' ? { ...source, brightness: 0 } : source);
 }
 
 type Rgb = readonly [number, number, number];
 
 /** Small, yet an image like any other: whatever handles environments needs no special case. */
-function constantEnvironment(): THREE.DataTexture {
+function constantMap(color: Rgb): EnvironmentMap {
   const [width, height] = [8, 4];
+  const texels = new Float32Array(4 * width * height);
+  for (let i = 0; i < texels.length; i += 4) texels.set([...color, 1], i);
+  return { texels, width, height };
+}
+
+function emptyTexture({ width, height }: EnvironmentMap): THREE.DataTexture {
   const data = new Uint16Array(width * height * 4);
   const texture = new THREE.DataTexture(data, width, height, THREE.RGBAFormat, THREE.HalfFloatType);
   texture.mapping = THREE.EquirectangularReflectionMapping;
@@ -104,9 +153,21 @@ function constantEnvironment(): THREE.DataTexture {
   return texture;
 }
 
-function fill(texture: THREE.DataTexture, [r, g, b]: Rgb): void {
-  const texel = [r, g, b, 1].map((value) => THREE.DataUtils.toHalfFloat(value));
+/** Numbers up to this one are left as they are. */
+const EVEN = 1024;
+
+/** @returns by what the texels were divided: a power of two, so that halves are as exact as they can be */
+function fill(texture: THREE.DataTexture, { texels }: EnvironmentMap): number {
+  let most = 0;
+  for (let i = 0; i < texels.length; i += 1) if (i % 4 !== 3) most = Math.max(most, texels[i]!);
+  // Of dark skies, too, the light has all the digits of a half float.
+  const unit = most > EVEN || (most > 0 && most < 1 / EVEN) ? 2 ** Math.ceil(Math.log2(most / EVEN)) : 1;
   const { data } = texture.image;
-  for (let at = 0; data !== null && at < data.length; at += 4) data.set(texel, at);
+  for (let i = 0; data !== null && i < texels.length; i += 1)
+    data[i] = THREE.DataUtils.toHalfFloat(i % 4 === 3 ? 1 : texels[i]! / unit);
+  // What three.js has made of the former image goes with it: it looks at no version.
+  texture.dispose();
   texture.needsUpdate = true;
+  texture.needsPMREMUpdate = true;
+  return unit;
 }

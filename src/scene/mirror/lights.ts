@@ -1,4 +1,4 @@
-/** The lights of the document as three.js lights: a changed field sets a field. */
+/** The lights of the document, and its sky's sun, as three.js lights: a changed field sets a field. */
 import * as THREE from 'three/webgpu';
 import { BrdfDirectionalLight } from '../../lights/directional-light.ts';
 import { BrdfPointLight } from '../../lights/point-light.ts';
@@ -6,6 +6,7 @@ import { BrdfRectLight } from '../../lights/rect-light.ts';
 import { BrdfSpotLight } from '../../lights/spot-light.ts';
 import { temperatureColor } from '../../lights/units.ts';
 import type { Document, Light, LightOf, LightType } from '../schema.ts';
+import { lightsOf } from '../sky/sun.ts';
 import { diff } from './diff.ts';
 
 interface ThreeLights {
@@ -104,7 +105,7 @@ export class LightsMirror {
   }
 
   apply(document: Document, before: Document | null): void {
-    diff(before?.lights ?? {}, document.lights, {
+    diff(before === null ? {} : lightsOf(before), lightsOf(document), {
       removed: (id) => this.#remove(id),
       added: (id, light) => this.#add(id, light),
       changed: (id, light) => {

@@ -151,6 +151,7 @@ const ABBREVIATIONS: Readonly<Record<string, string>> = {
   iso: 'ISO',
   fStop: 'f-number',
   uv: 'UV set',
+  utcOffset: 'UTC offset',
 };
 
 export function choiceLabel(value: string): string {

@@ -1,16 +1,11 @@
 /** The scene itself: view, camera, fog, environment, background, path tracing. */
 
 import { effectNames, effectShapes, effectsDefaults } from '../../../scene/effects-schema.ts';
-import { type EnvironmentPreset, environmentPresets } from '../../../scene/presets.ts';
-import type { Background, Document, EnvironmentSource } from '../../../scene/schema.ts';
+import { backgroundDefault, backgroundShapes } from '../../../scene/environment-schema.ts';
+import type { Background, Document } from '../../../scene/schema.ts';
 import {
-  backgroundDefault,
-  backgroundShapes,
   cameraDefaults,
   cameraShape,
-  environmentDefaults,
-  environmentShape,
-  environmentSourceShapes,
   fogDefaults,
   fogShape,
   pathTracingDefaults,
@@ -18,7 +13,6 @@ import {
   viewDefaults,
   viewShape,
 } from '../../../scene/stage-schema.ts';
-import { ENVIRONMENT_ACCEPT, isEnvironmentAsset } from '../../io/files.ts';
 import { t, translate } from '../../language/language.ts';
 import type { Session } from '../../session.ts';
 import { h } from '../../ui/dom.ts';
@@ -26,6 +20,7 @@ import { row, selectField } from '../../ui/fields.ts';
 import { section } from '../../ui/section.ts';
 import { cameraFields } from './camera.ts';
 import { pathCell, tryEdit } from './cell.ts';
+import { environmentRows, environmentStructure } from './environment.ts';
 import { type Bound, choiceLabel, labelOf, shapeFields, wordsOf } from './field.ts';
 import { withGpuTime } from './gpu-time.ts';
 import type { InspectorPanel } from './panel.ts';
@@ -35,7 +30,7 @@ import { presetChoice } from './preset.ts';
 const otherEffects = effectNames.filter((name) => name !== 'fog');
 
 export function sceneStructure(document: Document): string {
-  return `${document.environment.source.type} ${document.background.type}`;
+  return `${environmentStructure(document.environment)} ${document.background.type}`;
 }
 
 export function scenePanel(session: Session): InspectorPanel {
@@ -82,9 +77,9 @@ export function scenePanel(session: Session): InspectorPanel {
   };
 
   const description = h('p', { class: 'hint scene-description' });
-  const { source } = store.document.environment;
+  const environment = environmentRows(session, part);
+  bound.push(...environment.bound);
   const background = store.document.background;
-  const lit = source.type !== 'none';
   const { near, far, ...pose } = cameraShape;
   return {
     element: h(
@@ -92,12 +87,7 @@ export function scenePanel(session: Session): InspectorPanel {
       {},
       description,
       fold('View', ...part('view', viewShape, viewDefaults)),
-      fold(
-        'Environment',
-        single(environmentChoice(session)),
-        ...part('environment.source', environmentSourceShapes[source.type], undefined, ['name']),
-        ...(lit ? part('environment', environmentShape, environmentDefaults) : []),
-      ),
+      fold('Environment', ...environment.rows),
       fold(
         'Background',
         single(backgroundChoice(session)),
@@ -134,51 +124,6 @@ export function scenePanel(session: Session): InspectorPanel {
       for (const field of bound) field.update();
     },
   };
-}
-
-const OPEN_FILE = 'open';
-
-/** One list of everything that can light the scene from all around. */
-function environmentChoice(session: Session): Bound {
-  const { store } = session;
-  const set = (source: EnvironmentSource) =>
-    tryEdit(store, t('Change environment'), (draft) => {
-      draft.environment.source = source;
-    });
-  const open = async () =>
-    session.openFiles(await session.chooseFiles(ENVIRONMENT_ACCEPT), { environment: true });
-  const field = selectField(t('Environment'), [], (value) => {
-    const [type, name = ''] = value.split(':');
-    if (type === OPEN_FILE) {
-      update();
-      void open();
-    } else if (type === 'preset') set({ type, name: name as EnvironmentPreset });
-    else if (type === 'hdr') set({ type, asset: name });
-    else if (type === 'constant') set({ type, color: [1, 1, 1] });
-    else set({ type: 'none' });
-  });
-  const update = () => {
-    const { document } = store;
-    const { source } = document.environment;
-    const isShown = (id: string) => source.type === 'hdr' && source.asset === id;
-    const files = Object.entries(document.assets).filter(
-      ([id, asset]) => isEnvironmentAsset(asset) || isShown(id),
-    );
-    field.setChoices([
-      { value: 'none', label: t('None') },
-      { value: 'constant', label: t('Constant') },
-      ...files.map(([id, asset]) => ({ value: `hdr:${id}`, label: asset.name, group: t('In this scene') })),
-      ...environmentPresets.map((name) => ({
-        value: `preset:${name}`,
-        label: choiceLabel(name),
-        group: t('Shipped'),
-      })),
-      { value: OPEN_FILE, label: t('Open HDR, EXR or image…') },
-    ]);
-    const name = source.type === 'hdr' ? source.asset : source.type === 'preset' ? source.name : null;
-    field.show(name === null ? source.type : `${source.type}:${name}`);
-  };
-  return { element: row({ label: t('Source'), tip: t('Light from all around') }, field.element), update };
 }
 
 function backgroundChoice({ store }: Session): Bound {
