@@ -21,6 +21,8 @@ export interface LabOptions {
   beside?: LabPage;
   /** Whether the page may install itself for use without a network. */
   serviceWorkers?: 'allow' | 'block';
+  /** The browser's language, `en-US` without it. */
+  locale?: string;
 }
 
 export interface Lab {
@@ -45,7 +47,7 @@ export async function openLab(): Promise<Lab> {
   });
   return {
     async open({ query = '', files = {}, init, width = SIZE.width, height = SIZE.height, ...options } = {}) {
-      const { beside, serviceWorkers = 'block' } = options;
+      const { beside, serviceWorkers = 'block', locale = 'en-US' } = options;
       let { url, endServer } = beside ?? {};
       if (url === undefined || endServer === undefined) {
         const server = await startStaticServer({

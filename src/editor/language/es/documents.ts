@@ -95,6 +95,7 @@ export const documents: Catalogue = {
   'Delete this version': 'Eliminar esta versión',
   'The version was not deleted': 'La versión no se ha eliminado',
   Automatic: 'Automática',
+  'the version kept {time}': 'la versión conservada {time}',
   'Picture…': 'Imagen…',
   'PNG, JPEG or linear EXR of any size, by either renderer':
     'PNG, JPEG o EXR lineal de cualquier tamaño, con cualquiera de los dos modos',
@@ -198,6 +199,7 @@ export const documents: Catalogue = {
   '“{name}” is open in another tab': '«{name}» está abierto en otra pestaña',
   'This is a copy of it.': 'Esto es una copia suya.',
   '“{name}” could not be opened': 'No se ha podido abrir «{name}»',
+  'Restore the version kept {time}': 'Restaurar la versión conservada {time}',
   'Restore {name}': 'Restaurar {name}',
   'Deleted “{name}”': '«{name}» eliminado',
   'Leave “{name}”?': '¿Salir de «{name}»?',

@@ -2,7 +2,9 @@
 import type { Catalogue } from '../catalogue.ts';
 
 export const edits: Catalogue = {
-  'Add {label}': 'Añadir {label}',
+  'not JSON': 'no es JSON',
+  'nothing was copied': 'no se había copiado nada',
+  'Paste {name}': 'Pegar {name}',
   'Rename {old} to {name}': 'Cambiar el nombre de {old} a {name}',
   'does not exist': 'no existe',
   'Make {name} a {label}': 'Convertir {name} en {label}',
@@ -29,8 +31,8 @@ export const edits: Catalogue = {
   'a value': 'un valor',
   'the end of the text': 'el final del texto',
   '"," or "{close}"': '"," o "{close}"',
+  'Assign {title}': 'Asignar {title}',
   'Add material': 'Añadir material',
-  'Assign {name}': 'Asignar {name}',
   'Model of {name}: {model}': 'Modelo de {name}: {model}',
   '{model} has no such parameter': '{model} no tiene ese parámetro',
   'Add model {name}': 'Añadir el modelo {name}',
@@ -40,9 +42,6 @@ export const edits: Catalogue = {
   'Too many {name}: at most {name2}': 'Demasiados {name}: como mucho {name2}',
   'is locked': 'está bloqueado',
   'Duplicate {name}': 'Duplicar {name}',
-  Hide: 'Ocultar',
-  Lock: 'Bloquear',
-  Unlock: 'Desbloquear',
   'there is no such field': 'no existe ese campo',
   'not a valid name or id here': 'aquí no es un nombre o un id válido',
   'there is no {kind} "{id}"': 'no hay ningún {kind} "{id}"',

@@ -7,6 +7,7 @@ import { files } from './files.ts';
 import { glsl } from './glsl.ts';
 import { inspector } from './inspector.ts';
 import { lessons } from './lessons.ts';
+import { library } from './library.ts';
 import { models } from './models.ts';
 import { page } from './page.ts';
 import { schema } from './schema.ts';
@@ -22,6 +23,7 @@ const catalogue: Catalogue = {
   ...glsl,
   ...inspector,
   ...lessons,
+  ...library,
   ...models,
   ...page,
   ...schema,

@@ -19,7 +19,6 @@ export const inspector: Catalogue = {
     'El material como una línea de TypeScript para three.js',
   'Copy as code': 'Copiar como código',
   Copied: 'Copiado',
-  'Not copied': 'No se ha copiado',
   'less than 0.01': 'menos de 0.01',
   'Of lit spheres in Oklab: black and white are 100 apart, 1 can just be seen':
     'De esferas iluminadas en Oklab: del negro al blanco hay 100, 1 apenas se ve',
@@ -164,7 +163,6 @@ export const inspector: Catalogue = {
   Maps: 'Mapas',
   'Emission and transparency': 'Emisión y transparencia',
   Geometry: 'Geometría',
-  View: 'Vista',
   Effects: 'Efectos',
   'Path tracing': 'Trazado de caminos',
   'Near and far': 'Cerca y lejos',

@@ -296,7 +296,6 @@ export const schema: Catalogue = {
   'Which set of texture coordinates': 'Qué juego de coordenadas de textura',
   'UV set': 'Juego de UV',
   'Strength of the map': 'Intensidad del mapa',
-  Scale: 'Escala',
   'Values of the model’s parameters, by name; what is not here has the model’s default':
     'Valores de los parámetros del modelo, por nombre; lo que no está aquí tiene el valor por omisión del modelo',
   'Colour of the light that the surface emits, linear Rec. 709':

@@ -88,7 +88,6 @@ export const viewport: Catalogue = {
   Pause: 'Pausa',
   'The camera stays where it was': 'La cámara se queda donde estaba',
   'Move camera': 'Mover la cámara',
-  'Focus {name}': 'Enfocar {name}',
   'Nothing is there to focus on': 'Ahí no hay nada que enfocar',
   'The distance that is in focus is as it was.': 'La distancia enfocada es la que era.',
   'the picture': 'la imagen',
@@ -101,6 +100,21 @@ export const viewport: Catalogue = {
   'Move {count} things': { one: 'Mover {count} cosa', other: 'Mover {count} cosas' },
   'Rotate {count} things': { one: 'Girar {count} cosa', other: 'Girar {count} cosas' },
   'Scale {count} things': { one: 'Escalar {count} cosa', other: 'Escalar {count} cosas' },
+  'the scene': 'la escena',
+  'Focus {name}': 'Enfocar {name}',
+  'Focus {count} things': { one: 'Enfocar {count} cosa', other: 'Enfocar {count} cosas' },
+  'Look along an axis': 'Mirar a lo largo de un eje',
+  'Look from the right, along −x': 'Mirar desde la derecha, hacia −x',
+  'Look from the left, along +x': 'Mirar desde la izquierda, hacia +x',
+  'Look from above, along −y': 'Mirar desde arriba, hacia −y',
+  'Look from below, along +y': 'Mirar desde abajo, hacia +y',
+  'Look from the front, along −z': 'Mirar desde delante, hacia −z',
+  'Look from behind, along +z': 'Mirar desde detrás, hacia +z',
+  'View along an axis': 'Vista a lo largo de un eje',
+  'Nothing can fall': 'No hay nada que pueda caer',
+  'Select objects that are shown and not locked.':
+    'Selecciona objetos que se muestren y no estén bloqueados.',
+  'Drop {count} things': { one: 'Dejar caer {count} cosa', other: 'Dejar caer {count} cosas' },
   'Show {label}': 'Mostrar {label}',
   'The picture, or what is behind it': 'La imagen, o lo que hay detrás de ella',
   'Luminance, nits; a stop each': 'Luminancia, nits; un paso cada uno',
@@ -122,8 +136,18 @@ export const viewport: Catalogue = {
   'below {value}': 'menos de {value}',
   'above {value}': 'más de {value}',
   '{count} and more': '{count} y más',
+  'Select: click; with Shift or Ctrl beside what is selected, with Alt what is behind':
+    'Seleccionar: clic; con Mayús o Ctrl, junto a lo seleccionado; con Alt, lo que hay detrás',
+  'Select by a box: to the right what is within it, to the left what it touches':
+    'Seleccionar con un recuadro: hacia la derecha, lo que está dentro; hacia la izquierda, lo que toca',
+  'Along the axes of what is selected, not the world’s':
+    'A lo largo de los ejes de lo seleccionado, no de los del mundo',
+  'About what was selected last, not about the middle of all':
+    'En torno a lo último seleccionado, no al centro de todo',
+  'In steps of 0.1 m, 15° and 0.1; Ctrl does so, or not, for a moment':
+    'Por pasos de 0.1 m, 15° y 0.1; Ctrl lo activa, o lo quita, por un momento',
+  Tools: 'Herramientas',
   'The picture could not be drawn': 'No se ha podido dibujar la imagen',
-  'the scene': 'la escena',
   "the scene takes {size} bytes of memory; this GPU's limit is {maxBytes}":
     'la escena ocupa {size} bytes de memoria; el límite de esta GPU es {maxBytes}',
   "the picture takes {size} bytes of memory; this GPU's limit is {maxBytes}":
