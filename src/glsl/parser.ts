@@ -9,11 +9,10 @@ import type {
   TopLevel,
   TypeRef,
 } from './ast.ts';
+import { TokenCursor } from './token-cursor.ts';
 import type { Token } from './tokens.ts';
 import { typeNamed } from './types.ts';
 
-/** How deep expressions and statements may nest: far more than people write, far less than the stack holds. */
-const MAX_DEPTH = 200;
 /** How many operands one run of `a + b + c ...` may have: each is one level of the tree. */
 const MAX_CHAIN = 500;
 
@@ -36,32 +35,6 @@ const PRECEDENCE = new Map(
 );
 const ASSIGNMENT = new Set(['=', '+=', '-=', '*=', '/=', '%=', '<<=', '>>=', '&=', '|=', '^=']);
 const PRECISION = new Set(['highp', 'mediump', 'lowp']);
-const UNSUPPORTED: Record<string, string> = {
-  while: 'a loop without constant bounds',
-  do: 'a loop without constant bounds',
-  switch: 'switch',
-  discard: 'discard',
-  uniform: 'a uniform: list it in ::begin parameters',
-  varying: 'varying',
-  attribute: 'attribute',
-};
-const KEYWORDS = new Set([
-  'if',
-  'else',
-  'for',
-  'return',
-  'break',
-  'continue',
-  'struct',
-  'const',
-  'in',
-  'out',
-  'inout',
-  'true',
-  'false',
-  ...Object.keys(UNSUPPORTED),
-]);
-
 /**
  * Parses tokens into a list of functions, structs and global declarations.
  *
@@ -72,15 +45,12 @@ export function parseGlsl(tokens: readonly Token[], isKernel = false): TopLevel[
   return new Parser(tokens, isKernel).parse();
 }
 
-class Parser {
-  private position = 0;
-  private depth = 0;
+class Parser extends TokenCursor {
   private readonly structs = new Set<string>();
-  private readonly tokens: readonly Token[];
   private readonly isKernel: boolean;
 
   constructor(tokens: readonly Token[], isKernel: boolean) {
-    this.tokens = tokens;
+    super(tokens);
     this.isKernel = isKernel;
   }
 
@@ -98,57 +68,6 @@ class Parser {
       if (this.token.text === 'struct') result.push(this.struct());
       else result.push(this.functionOrDeclaration());
     }
-    return result;
-  }
-
-  private get token(): Token {
-    return this.tokens[this.position] as Token;
-  }
-
-  private peek(offset: number): Token {
-    return this.tokens[Math.min(this.position + offset, this.tokens.length - 1)] as Token;
-  }
-
-  private accept(text: string): boolean {
-    if (this.token.text !== text || this.token.kind === 'end') return false;
-    this.position++;
-    return true;
-  }
-
-  private expect(text: string): SourcePlace {
-    const { place } = this.token;
-    if (!this.accept(text)) this.fail(`'${text}'`);
-    return place;
-  }
-
-  private fail(expected: string): never {
-    const { place, text, kind } = this.token;
-    const problem = UNSUPPORTED[text];
-    if (problem)
-      throw new BrdfError(
-        place,
-        `${problem} is not supported`,
-        problem.startsWith('a loop') ? 'for (int i = A; i < B; i += C) with constants A, B, C' : expected,
-      );
-    throw new BrdfError(
-      place,
-      kind === 'end' ? 'the shader ends too early' : `unexpected '${text}'`,
-      expected,
-    );
-  }
-
-  private name(what: string): string {
-    const { kind, text } = this.token;
-    if (kind !== 'name' || KEYWORDS.has(text) || typeNamed(text)) this.fail(what);
-    this.position++;
-    return text;
-  }
-
-  private nested<T>(parse: () => T): T {
-    if (++this.depth > MAX_DEPTH)
-      throw new BrdfError(this.token.place, 'the code is nested too deep', `at most ${MAX_DEPTH} levels`);
-    const result = parse();
-    this.depth--;
     return result;
   }
 
