@@ -66,6 +66,7 @@ export async function openLab(): Promise<Lab> {
           viewport,
           acceptDownloads: true,
           serviceWorkers,
+          locale,
           reducedMotion: 'reduce',
         }));
       if (!beside) contexts.push(context);
