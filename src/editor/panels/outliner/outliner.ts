@@ -18,9 +18,6 @@ import { between, chosenIn, entitiesOf, toggled, union } from './selecting.ts';
 import { entityKey, groupKey, sectionKey, type TreeRow, treeRows } from './tree.ts';
 import { createWindow } from './window.ts';
 
-/** CSS pixels; style/outliner.css has the same. */
-const ROW_HEIGHT = 24;
-
 export interface Outliner {
   readonly element: HTMLElement;
   /** Opens the name of what is selected for typing. */
@@ -47,7 +44,9 @@ export function createOutliner(session: Session): Outliner {
     'aria-label': t('Outliner'),
     'aria-multiselectable': 'true',
   });
-  const view = createWindow(list, ROW_HEIGHT, draw);
+  // As style/tokens.css has it for this screen, and for a finger or a mouse, in CSS pixels.
+  const rowHeight = Number.parseFloat(getComputedStyle(document.documentElement).getPropertyValue('--row'));
+  const view = createWindow(list, rowHeight, draw);
   const search = createSearch({
     onQuery(next) {
       query = next;
@@ -82,7 +81,7 @@ export function createOutliner(session: Session): Outliner {
         shown = createRow(row.key);
         elements.set(row.key, shown);
       }
-      shown.element.style.top = `${(first + i) * ROW_HEIGHT}px`;
+      shown.element.style.top = `${(first + i) * rowHeight}px`;
       shown.show(row, chosen(row.target), row.key === current);
       if (shown.element !== before) list.insertBefore(shown.element, before);
       else before = before.nextElementSibling;
