@@ -3,6 +3,7 @@
  * belongs to the scene; the scene's only state is the document.
  */
 import type { Document } from '../scene/schema.ts';
+import type { Comparison } from './compare/comparison.ts';
 import { type BenchSettings, initialSettings } from './panels/bench/settings.ts';
 
 export type EntityKind = 'lights' | 'objects' | 'materials';
@@ -56,6 +57,8 @@ export interface EditorState {
   readonly rendering: Rendering;
   /** The part of the viewport's width left of the divider, which is interactive. */
   readonly divider: number;
+  /** Two materials that are compared in the picture; null for none. */
+  readonly comparison: Comparison | null;
   readonly tracingPaused: boolean;
   /** Whether the path traced picture is shown, compared and saved denoised. */
   readonly denoise: boolean;
@@ -86,6 +89,7 @@ const initial: EditorState = {
   snap: false,
   rendering: 'interactive',
   divider: 0.5,
+  comparison: null,
   tracingPaused: false,
   denoise: false,
 };

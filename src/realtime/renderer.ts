@@ -161,12 +161,13 @@ export class RealtimeRenderer {
   }
 
   /** @param seconds since the last frame; left out, those that have passed */
-  render(
-    { scene, camera }: Renderable,
-    settings: FrameSettings,
-    size: Size,
-    seconds = this.#elapsed(),
-  ): void {
+  render(renderable: Renderable, settings: FrameSettings, size: Size, seconds = this.#elapsed()): void {
+    this.draw(renderable, settings, size, seconds);
+    this.#again(settings, seconds);
+  }
+
+  /** The radiance of a frame, which is not shown: `texture` has it. */
+  draw({ scene, camera }: Renderable, settings: FrameSettings, size: Size, seconds = this.#elapsed()): void {
     const { three } = this;
     const show = settings.view.show ?? 'picture';
     const { width, height } = this.#fit(camera, settings, size);
@@ -186,7 +187,16 @@ export class RealtimeRenderer {
       this.#result = this.#effects.afterScene(three, this.#radiance);
     } else this.#result = this.#dataViews.draw(three, show, scene, camera, this.#radiance);
     this.times.mark('scene');
-    this.#again(settings, seconds);
+  }
+
+  /** Linear radiance of the last frame, effects and all. */
+  get texture(): Texture {
+    return this.#result.texture;
+  }
+
+  /** Another renderer on the same GPU, with frames of its own, which can be this one's companion; release() ends it. */
+  beside(): RealtimeRenderer {
+    return new RealtimeRenderer(this.three, this.#options);
   }
 
   /** The last frame again, with another exposure, tone mapping or companion. */
@@ -240,6 +250,12 @@ export class RealtimeRenderer {
   }
 
   dispose(): void {
+    this.release();
+    this.three.dispose();
+  }
+
+  /** All but the renderer of three.js, which others may use. */
+  release(): void {
     this.#effects.dispose();
     this.#inputs.dispose();
     this.#output.dispose();
@@ -248,12 +264,13 @@ export class RealtimeRenderer {
     this.#meter.dispose();
     this.#dataViews.dispose();
     this.#radiance.dispose();
-    this.three.dispose();
   }
 
   #follow(settings: FrameSettings): void {
     this.#effects.follow(this.three, settings, this.#dataViews.context(settings.view.show ?? 'picture'));
     this.#lighting.drawsShadows = this.#effects.drawsShadows;
+    // Another renderer beside this one may have drawn since.
+    this.three.lighting = this.#lighting;
   }
 
   /** @param x @param y by how much the picture is moved, in normalised device coordinates */

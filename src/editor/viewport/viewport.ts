@@ -2,7 +2,8 @@
  * The viewport: keeps the picture equal to the document. It alone knows the renderer; panels change
  * the document and never ask for a frame.
  */
-import type { RealtimeRenderer } from '../../realtime/renderer.ts';
+import type { Companion } from '../../realtime/output-pass.ts';
+import type { RealtimeRenderer, Size } from '../../realtime/renderer.ts';
 import type { SceneMirror } from '../../scene/mirror.ts';
 import type { Document } from '../../scene/schema.ts';
 import { t } from '../language/language.ts';
@@ -36,6 +37,13 @@ export interface ViewportOptions {
   onFigures(figures: RenderFigures): void;
 }
 
+/** Another picture of what the viewport shows; `divider` is the part of the width that is not its. */
+export interface Beside {
+  draw(document: Document, size: Size, divider: number): Companion | null;
+  /** As it was drawn last. */
+  last(divider: number): Companion | null;
+}
+
 /** What takes less is not worth a word. */
 const BUSY_AFTER_MS = 250;
 
@@ -57,6 +65,7 @@ export class Viewport {
   #finishedAt = 0;
   /** Something is being made ready that a frame would undo. */
   #held = false;
+  #beside: Beside | null = null;
 
   constructor(options: ViewportOptions) {
     const { element, canvas, session, mirror, times } = options;
@@ -109,6 +118,12 @@ export class Viewport {
     this.#counts = countScene(this.#options.mirror.scene);
     this.#options.renderer.changed();
     this.#redraw();
+  }
+
+  /** Draws another picture at the right of the divider, and again when it has changed; null ends that. */
+  drawBeside(beside: Beside | null): void {
+    this.#beside = beside;
+    this.#redraw(false);
   }
 
   #redraw(moved = true): void {
@@ -207,12 +222,17 @@ export class Viewport {
     renderer.companion = shown ? { radiance: texture, from: rendering === 'split' ? divider : 0 } : null;
     // What is not seen need not be drawn: the machine is the path tracer's.
     const hidden = shown && rendering === 'traced' && !continuous;
-    const asBefore = rendering !== 'interactive' && !this.#stale && !continuous && !renderer.unsettled;
+    const isSplit = rendering !== 'interactive' || this.#beside !== null;
+    const asBefore = isSplit && !this.#stale && !continuous && !renderer.unsettled;
+    if (this.#beside && rendering === 'interactive') renderer.companion = this.#beside.last(divider);
     if (hidden || asBefore) {
       renderer.renderAgain({ ...document, camera: { ...camera, ...this.#camera.pose() } });
       return;
     }
-    renderer.render(mirror, this.#resolution.next(document, whole), size);
+    const settings = this.#resolution.next(document, whole);
+    if (this.#beside && rendering === 'interactive')
+      renderer.companion = this.#beside.draw(settings, size, divider);
+    renderer.render(mirror, settings, size);
     this.#stale = false;
     const { factor } = this.#resolution;
     onFigures({

@@ -95,8 +95,8 @@ export class ObjectsMirror {
 
   #setMaterial(mesh: THREE.Mesh, { material: id }: SceneObject): void {
     const material = this.#materialOf(id);
-    if (material !== undefined) mesh.material = material;
-    giveTangents(mesh);
+    if (material !== undefined) materialFrom(mesh, material);
+    else giveTangents(mesh);
   }
 
   #setGeometry(entry: Entry, document: Document): void {
@@ -119,6 +119,12 @@ export class ObjectsMirror {
     entry.geometry?.release();
     entry.mesh.removeFromParent();
   }
+}
+
+/** Gives a mesh a material, and the tangents that it may need. */
+export function materialFrom(mesh: THREE.Mesh, material: THREE.Material): void {
+  mesh.material = material;
+  giveTangents(mesh);
 }
 
 /** Beyond this many vertices tangents wait until they are needed: they would hold up the first picture. */

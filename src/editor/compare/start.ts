@@ -1,0 +1,45 @@
+/** Beginning and ending a comparison. */
+import { assignMaterial, setMaterialModel } from '../../scene/material-commands.ts';
+import { attempt } from '../commands.ts';
+import { t } from '../language/language.ts';
+import { contentOf, giveLook, type Offer, titleOf } from '../panels/library/chosen.ts';
+import type { Session } from '../session.ts';
+import type { Comparison } from './comparison.ts';
+
+export function startComparison({ store, state }: Session, material: string, offer: Offer): void {
+  if (offer.kind === 'scene' && offer.id === material) return;
+  const { document } = store;
+  if (!attempt(t('Nothing to compare with'), () => contentOf(offer, document))) return;
+  begin(state, { material, other: offer, title: titleOf(offer, document) });
+}
+
+export function compareModel({ state }: Session, material: string, model: string): void {
+  begin(state, { material, other: { kind: 'model', model }, title: model });
+}
+
+/** What is compared is the interactive picture. */
+function begin(state: Session['state'], comparison: Comparison): void {
+  state.set({ comparison, rendering: 'interactive', divider: 0.5 });
+}
+
+/** @param keep the material that is left; A is what the scene has */
+export function endComparison(session: Session, keep: 'A' | 'B'): void {
+  const { store, state } = session;
+  const { comparison } = state.value;
+  if (!comparison) return;
+  state.set({ comparison: null });
+  if (keep === 'A') return;
+  const { material, other } = comparison;
+  if (other.kind === 'scene') {
+    const users = Object.entries(store.document.objects).filter(([, object]) => object.material === material);
+    attempt(t('The material stays as it was'), () =>
+      assignMaterial(
+        store,
+        users.map(([id]) => id),
+        other.id,
+      ),
+    );
+  } else if (other.kind === 'model')
+    attempt(t('The material stays as it was'), () => setMaterialModel(store, material, other.model));
+  else giveLook(session, other, [material]);
+}

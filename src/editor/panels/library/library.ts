@@ -1,0 +1,247 @@
+/**
+ * The library of materials: a column between the picture and the inspector, with a picture of each material. It is
+ * loaded when it is opened first.
+ */
+
+import { startComparison } from '../../compare/start.ts';
+import { t } from '../../language/language.ts';
+import { selectedMaterial } from '../../selected-material.ts';
+import type { Session } from '../../session.ts';
+import type { OwnEntry } from '../../storage/material-library.ts';
+import { h } from '../../ui/dom.ts';
+import { selectField } from '../../ui/fields.ts';
+import { icon } from '../../ui/icons.ts';
+import { toast } from '../../ui/toast.ts';
+import { type Card, createCard } from './card.ts';
+import { addToScene, giveToSelected, keyOfOffer, type Offer } from './chosen.ts';
+import { detailOf } from './detail.ts';
+import { endDrag } from './drag.ts';
+import { gridMove } from './grid-keys.ts';
+import { addOwn, exportOwn, importOwn, removeOwn } from './own.ts';
+import { allSections, sectionsOf } from './sections.ts';
+import type { Thumbnails } from './thumbnails.ts';
+
+export interface LibraryPanel {
+  readonly element: HTMLElement;
+  readonly isOpen: boolean;
+  open(): void;
+  close(): void;
+  /** Puts a material of the scene into the person's own library. */
+  keep(id: string): Promise<void>;
+}
+
+/** After an edit of the scene, before its pictures are made anew, ms. */
+const REST_MS = 250;
+
+export function createLibrary(session: Session, thumbnails: Thumbnails): LibraryPanel {
+  const { store, state } = session;
+  let own: OwnEntry[] = [];
+  let only = '';
+  let focused: Offer | null = null;
+  const cards = new Map<string, Card>();
+
+  const search = h('input', {
+    type: 'search',
+    class: 'text-field',
+    placeholder: t('Search'),
+    'aria-label': t('Search the materials'),
+    spellcheck: 'false',
+  });
+  const category = selectField(t('Category'), [], (value) => {
+    only = value;
+    build();
+    list.scrollTop = 0;
+  });
+  const list = h('div', { class: 'library-list', role: 'listbox', 'aria-label': t('Materials') });
+  const detail = h('div', { class: 'library-detail' });
+  const progress = h('progress', { max: 1, value: 0, hidden: true, 'aria-label': t('Pictures are made') });
+  const button = (name: Parameters<typeof icon>[0], label: string, run: () => void, keys?: string) => {
+    const made = h(
+      'button',
+      { type: 'button', class: 'icon-button', 'aria-label': label, tip: label, keys },
+      icon(name),
+    );
+    made.addEventListener('click', run);
+    return made;
+  };
+  const element = h(
+    'section',
+    { class: 'library', 'aria-label': t('Library of materials'), hidden: true },
+    h(
+      'header',
+      { class: 'library-head' },
+      h('strong', {}, t('Materials')),
+      h('span', { class: 'spacer' }),
+      button('folder', t('Add a material’s file to My library'), () => void importFiles()),
+      button('close', t('Close the library'), close, 'material.library'),
+    ),
+    h('div', { class: 'library-filter' }, search, category.element),
+    progress,
+    list,
+    detail,
+  );
+
+  function build(): void {
+    const sections = sectionsOf(store.document, own, { query: search.value, only });
+    const wanted = new Set<string>();
+    list.replaceChildren(
+      ...sections.flatMap(({ key, title, offers }) => [
+        h('h2', {}, title, h('span', { class: 'count' }, String(offers.length))),
+        h(
+          'div',
+          { class: 'library-grid', role: 'group', 'aria-label': title, 'data-section': key },
+          ...offers.map((offer) => {
+            const name = keyOfOffer(offer);
+            wanted.add(name);
+            const card = cards.get(name) ?? createCard(offer, thumbnails);
+            cards.set(name, card);
+            card.show(store.document);
+            return card.element;
+          }),
+        ),
+      ]),
+      ...(sections.length === 0 ? [h('p', { class: 'hint' }, t('No material is called that.'))] : []),
+    );
+    for (const name of cards.keys()) if (name.startsWith('scene') && !wanted.has(name)) cards.delete(name);
+    if (focused && !wanted.has(keyOfOffer(focused))) focused = null;
+    mark();
+  }
+
+  /** Which card the keys are on; always one, so that Tab leads there. */
+  function mark(): void {
+    const all = [...list.querySelectorAll<HTMLElement>('.material-card')];
+    const chosen = focused && keyOfOffer(focused);
+    for (const element of all) {
+      const isChosen = element.dataset.material === chosen;
+      element.setAttribute('aria-selected', String(isChosen));
+      element.tabIndex = isChosen ? 0 : -1;
+    }
+    if (!chosen && all[0]) all[0].tabIndex = 0;
+    detail.replaceChildren(...detailOf(session, focused, actions));
+  }
+
+  function choose(offer: Offer): void {
+    focused = offer;
+    mark();
+  }
+
+  const actions = {
+    give(offer: Offer): void {
+      if (giveToSelected(session, offer)) return;
+      toast(
+        'info',
+        t('Nothing is selected'),
+        t('Select an object or a material, or drag it onto an object.'),
+      );
+    },
+    add(offer: Offer): void {
+      const id = addToScene(session, offer);
+      if (id !== undefined) state.select({ kind: 'materials', id });
+    },
+    compare(offer: Offer): void {
+      const id = selectedMaterial(store.document, state.value.selection);
+      if (id !== undefined) startComparison(session, id, offer);
+    },
+    keep: (offer: Offer): void => {
+      if (offer.kind === 'scene') void keep(offer.id);
+    },
+    save(offer: Offer): void {
+      if (offer.kind === 'own') exportOwn(offer.entry);
+    },
+    remove(offer: Offer): void {
+      if (offer.kind === 'own') void removeOwn(thumbnails, offer.entry, refresh);
+    },
+  };
+
+  async function refresh(): Promise<void> {
+    own = (await (await thumbnails.storage())?.entries()) ?? [];
+    category.setChoices([
+      { value: '', label: t('All categories') },
+      ...allSections(store.document, own).map(({ key, title }) => ({ value: key, label: title })),
+    ]);
+    category.show(only);
+    build();
+  }
+
+  async function keep(id: string): Promise<void> {
+    if (await addOwn(thumbnails, store.document, id)) await refresh();
+  }
+
+  async function importFiles(): Promise<void> {
+    if (await importOwn(thumbnails, await session.chooseFiles('.json', true))) await refresh();
+  }
+
+  function open(): void {
+    element.hidden = false;
+    void refresh();
+    search.focus({ preventScroll: true });
+  }
+
+  function close(): void {
+    element.hidden = true;
+  }
+
+  search.addEventListener('input', build);
+  search.addEventListener('keydown', (event) => {
+    if (event.key === 'ArrowDown') list.querySelector<HTMLElement>('.material-card')?.focus();
+    else if (event.key !== 'Escape') return;
+    else if (search.value) {
+      search.value = '';
+      build();
+    } else close();
+    event.preventDefault();
+    event.stopPropagation();
+  });
+  const offerOf = (event: Event): Offer | undefined => {
+    const card = event.target instanceof Element ? event.target.closest('.material-card') : null;
+    return card instanceof HTMLElement ? cards.get(card.dataset.material ?? '')?.offer : undefined;
+  };
+  list.addEventListener('focusin', (event) => {
+    const offer = offerOf(event);
+    if (offer && (!focused || keyOfOffer(offer) !== keyOfOffer(focused))) choose(offer);
+  });
+  list.addEventListener('click', (event) => {
+    const offer = offerOf(event);
+    if (!offer) return;
+    choose(offer);
+    // What is looked at need not be anybody's: a click is no demand then.
+    if (state.value.selected.some(({ kind }) => kind !== 'lights')) actions.give(offer);
+  });
+  list.addEventListener('dblclick', (event) => {
+    const offer = offerOf(event);
+    if (offer && !state.value.selected.some(({ kind }) => kind !== 'lights') && offer.kind !== 'scene')
+      actions.add(offer);
+  });
+  list.addEventListener('keydown', (event) => {
+    if (event.key === 'Escape') {
+      event.stopPropagation();
+      search.focus();
+    } else if (gridMove(list, event)) event.preventDefault();
+  });
+  list.addEventListener('dragend', endDrag);
+
+  let timer = 0;
+  const later = () => {
+    clearTimeout(timer);
+    timer = window.setTimeout(() => !element.hidden && build(), REST_MS);
+  };
+  store.subscribe(({ document, previous }) => {
+    if (document.materials !== previous.materials || document.models !== previous.models) later();
+  });
+  let begun = 0;
+  thumbnails.onProgress = (done, left) => {
+    if (left === 0) begun = done;
+    progress.hidden = left < 4;
+    progress.value = (done - begun) / (done - begun + left);
+  };
+
+  return {
+    element,
+    get isOpen() {
+      return !element.hidden;
+    },
+    open,
+    close,
+    keep,
+  };
+}
