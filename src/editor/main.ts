@@ -46,6 +46,7 @@ import { recoverFromLoss } from './storage/device-loss.ts';
 import { saveDocument } from './storage/save-file.ts';
 import { Workspace } from './storage/workspace.ts';
 import { followSystemTheme } from './theme/theme.ts';
+import { inviteToTour } from './tour/invitation.ts';
 import { h } from './ui/dom.ts';
 import { installLongPress } from './ui/long-press.ts';
 import type { MenuEntry } from './ui/menu.ts';
@@ -275,6 +276,7 @@ async function start(): Promise<void> {
     await viewport.nextFrame();
   }
   void adoptPreset();
+  inviteToTour(view, () => session.actions.run('help.tour'));
 }
 
 function newScene(): void {

@@ -35,6 +35,11 @@ export function pageActions(session: Session): Action[] {
       run: () => load(async () => (await import('../panels/shortcuts/shortcuts.ts')).openShortcuts(session)),
     },
     {
+      id: 'help.tour',
+      title: t('Tour of the page'),
+      run: () => load(async () => (await import('../tour/tour.ts')).startTour(session)),
+    },
+    {
       id: 'help.about',
       title: t('About Irradia'),
       run: () => load(async () => (await import('../panels/about/about.ts')).openAbout()),

@@ -39,6 +39,7 @@ function settingsEntries(session: Session): MenuEntry[] {
     ...languageEntries(session),
     'separator',
     actionEntry(actions, 'help.shortcuts', { icon: 'keyboard', label: t('Keyboard shortcuts…') }),
+    actionEntry(actions, 'help.tour', { icon: 'eye' }),
     actionEntry(actions, 'help.about', { icon: 'info', label: t('About Irradia…') }),
   ];
 }
