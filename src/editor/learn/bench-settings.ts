@@ -20,7 +20,7 @@ type Plot = Extract<Setting, { kind: 'plot' | 'pin' }>;
 /** What a value has to be: between two numbers, one of these words, true or false. */
 type Rule = readonly [min: number, max: number] | { readonly words: readonly string[] } | 'flag';
 
-const theta: Rule = [-STEEPEST, STEEPEST];
+const theta: Rule = [0, STEEPEST];
 const azimuth: Rule = [-360, 360];
 
 const RULES: Readonly<Partial<Record<keyof BenchSettings, Rule>>> = {

@@ -35,6 +35,11 @@ const readers: Readonly<Record<string, (words: Words, place: Place) => Directive
       words.fail(`“${shown(text)}” is no value`, 'a number, true, false, a word, [r, g, b] or JSON');
     return { setting: { kind: 'set', path, value, place } };
   },
+  without: (words, place) => {
+    const entities = [words.word('what the step does without, such as lights.key')];
+    for (let word = words.optional(); word !== null; word = words.optional()) entities.push(word);
+    return { setting: { kind: 'without', entities, place } };
+  },
   effect: (words, place) => {
     const name = oneOf(words, effectNames);
     if (!('enabled' in effectShapes[name]))

@@ -45,6 +45,7 @@ type Vector = readonly [number, number, number];
 /** How things stand when a step begins, beside the lesson's scene. */
 export type Setting = { readonly place: Place } & (
   | { readonly kind: 'set'; readonly path: string; readonly value: unknown }
+  | { readonly kind: 'without'; readonly entities: readonly string[] }
   | { readonly kind: 'look'; readonly from: Vector; readonly at: Vector | null }
   | { readonly kind: 'term'; readonly name: string; readonly material: string | null }
   | {

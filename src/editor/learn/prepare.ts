@@ -8,7 +8,7 @@ import { findModel } from '../../scene/models.ts';
 import type { Document } from '../../scene/schema.ts';
 import { documentIssues } from '../../scene/validate.ts';
 import type { BenchSettings } from '../panels/bench/settings.ts';
-import type { Rendering, Selection } from '../state.ts';
+import type { Entity, Rendering, Selection } from '../state.ts';
 import { benchOf } from './bench-settings.ts';
 import { LessonError, type Place, shown } from './error.ts';
 import { type FieldPlace, fieldAt, PathError } from './field-path.ts';
@@ -58,16 +58,25 @@ export function placeOf(document: Document, path: string, place: Place): FieldPl
   }
 }
 
+/** What it stands for has to be in one of the steps. */
 function checkDefinition(
   { target, place }: Definition,
   steps: readonly ReadyStep[],
   material: string | null,
 ): void {
+  if (target.kind === 'idea') return;
+  let fault: unknown;
   for (const { document } of steps) {
-    if (target.kind === 'term') checkTerm(document, material, target.name, place);
-    else if (target.kind === 'field' && !placeOf(document, target.path, place).info)
-      throw new LessonError(place, `${shown(target.path)} has no control`, 'the path of a single field');
+    try {
+      if (target.kind === 'term') checkTerm(document, material, target.name, place);
+      else if (!placeOf(document, target.path, place).info)
+        throw new LessonError(place, `${shown(target.path)} has no control`, 'the path of a single field');
+      return;
+    } catch (error) {
+      fault ??= error;
+    }
   }
+  throw fault;
 }
 
 function checkTerm(document: Document, material: string | null, name: string, place: Place): void {
@@ -116,6 +125,14 @@ class Preparation {
       case 'set':
         this.#write(placeOf(this.#document, setting.path, place).path, setting.value, place);
         break;
+      case 'without':
+        for (const text of setting.entities) {
+          const { kind, id } = this.#entity(text, place);
+          this.#change(place, (draft) => {
+            delete draft[kind][id];
+          });
+        }
+        break;
       case 'look':
         this.#write(['camera', 'position'], [...setting.from], place);
         if (setting.at) this.#write(['camera', 'target'], [...setting.at], place);
@@ -139,21 +156,24 @@ class Preparation {
     }
   }
 
-  /** What the schema refuses is a fault of this line. */
   #write(path: Path, value: unknown, place: Place): void {
-    const before = this.#document;
-    const after = produce(before, (draft) => {
+    this.#change(place, (draft) => {
       let holder: unknown = draft;
       for (const key of path.slice(0, -1)) holder = (holder as Record<string | number, unknown>)[key];
       (holder as Record<string | number, unknown>)[path.at(-1) as string] = value;
     });
+  }
+
+  /** What the schema refuses is a fault of this line. */
+  #change(place: Place, recipe: (draft: Document) => void): void {
+    const before = this.#document;
+    const after = produce(before, recipe);
     const [issue] = after === before ? [] : documentIssues(after, before);
-    if (issue)
-      throw new LessonError(place, `${issue.path}: ${issue.message}`, 'a value that the field can have');
+    if (issue) throw new LessonError(place, `${issue.path}: ${issue.message}`, 'what the scene can have');
     this.#document = after;
   }
 
-  #entity(text: string, place: Place): Selection {
+  #entity(text: string, place: Place): Entity {
     const [kind, id = ''] = text.split('.');
     const known = (['lights', 'objects', 'materials'] as const).find((name) => name === kind);
     if (known && Object.hasOwn(this.#document[known], id)) return { kind: known, id };

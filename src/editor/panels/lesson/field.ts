@@ -14,6 +14,16 @@ export interface LessonField {
   readonly label?: string;
 }
 
+/** Whether the step has the field: another one may do without what it is of. */
+export function hasField({ step }: Course, path: string): boolean {
+  try {
+    fieldAt(step.document, path);
+    return true;
+  } catch {
+    return false;
+  }
+}
+
 /** It stands still where the person has taken away what it is of. */
 export function lessonField(
   session: Session,

@@ -7,7 +7,7 @@ import type { Session } from '../../session.ts';
 import { h } from '../../ui/dom.ts';
 import { icon } from '../../ui/icons.ts';
 import type { Bound } from '../inspector/field.ts';
-import { lessonField } from './field.ts';
+import { hasField, lessonField } from './field.ts';
 import { inlineNodes } from './text.ts';
 
 /** One for each term, in the order of their definitions: the colours of the plots' curves (tokens.css). */
@@ -32,7 +32,9 @@ export class Terms {
     const onTerm = (key: string) => this.#toggle(key, holder);
     holder.append(make(onTerm));
     if (keys.length > 0)
-      holder.append(h('div', { class: 'lesson-chips' }, ...keys.map((key) => this.#chip(key, onTerm))));
+      holder.append(
+        h('div', { class: 'lesson-chips' }, ...this.#inOrder(keys).map((key) => this.#chip(key, onTerm))),
+      );
     holder.append(room);
     this.#places.set(holder, room);
     for (const part of holder.querySelectorAll<HTMLElement>('[data-lesson-term]'))
@@ -50,6 +52,10 @@ export class Terms {
 
   #definition(key: string): Definition {
     return this.#course.lesson.definitions.get(key) as Definition;
+  }
+
+  #inOrder(keys: readonly string[]): string[] {
+    return [...this.#course.lesson.definitions.keys()].filter((key) => keys.includes(key));
   }
 
   #color(key: string): string {
@@ -73,7 +79,8 @@ export class Terms {
     if (same) return;
     const { target, text } = this.#definition(key);
     const fields: Bound[] = [];
-    if (target.kind === 'field') fields.push(lessonField(this.#session, this.#course, { path: target.path }));
+    if (target.kind === 'field' && hasField(this.#course, target.path))
+      fields.push(lessonField(this.#session, this.#course, { path: target.path }));
     this.#open = { key, holder, fields };
     const whole = h('button', { type: 'button', class: 'text-button lesson-whole' }, t('Whole model again'));
     whole.addEventListener('click', () => this.#toggle(key, holder));
