@@ -1,4 +1,5 @@
 /** Keys as people write them, `Ctrl+Shift+Z`, and as the browser reports them. Cmd counts as Ctrl. */
+import { t } from '../language/language.ts';
 
 const MODIFIERS = ['Ctrl', 'Alt', 'Shift'] as const;
 
@@ -58,11 +59,25 @@ const SIGNS: Readonly<Record<string, string>> = {
   ArrowDown: '↓',
   Escape: 'Esc',
 };
+/** What is printed on the keys of a keyboard for the page's language. */
+const PRINTED: Readonly<Record<string, string>> = {
+  Shift: t('Shift|key'),
+  Space: t('Space|key'),
+  Enter: t('Enter|key'),
+  Backspace: t('Backspace|key'),
+  Delete: t('Delete|key'),
+  Home: t('Home|key'),
+  End: t('End|key'),
+  PageUp: t('PageUp|key'),
+  PageDown: t('PageDown|key'),
+};
 const APPLE: Readonly<Record<string, string>> = { Ctrl: '⌘', Alt: '⌥', Shift: '⇧' };
 
 /** Keys as the person's own keyboard has them. */
 export function keysText(keys: string, apple = isApple()): string {
-  const parts = partsOf(keys).map((part) => SIGNS[part] ?? (apple ? APPLE[part] : undefined) ?? part);
+  const parts = partsOf(keys).map(
+    (part) => SIGNS[part] ?? (apple ? APPLE[part] : undefined) ?? PRINTED[part] ?? part,
+  );
   return parts.join(apple ? '' : '+');
 }
 

@@ -2,7 +2,6 @@
 import type { Catalogue } from '../catalogue.ts';
 
 export const models: Catalogue = {
-  Parameters: 'Parámetros',
   'Cook-Torrance: a rough surface of tiny mirrors over a matte base':
     'Cook-Torrance: una superficie rugosa de espejos diminutos sobre una base mate',
   'Colour of the matte base, and of the reflection where metallic. Linear Rec. 709.':

@@ -70,7 +70,7 @@ export const viewport: Catalogue = {
     'Lo que la GPU dibuja al momento: sin sombras ni luz de superficie a superficie',
   'Ground truth: light as it travels, sample by sample':
     'La referencia: la luz como viaja, muestra a muestra',
-  Split: 'Partida',
+  Split: 'Dividida',
   'Interactive at the left, path traced at the right of a divider':
     'Interactiva a la izquierda, trazado de caminos a la derecha de un divisor',
   'How different a person would find the two, pixel by pixel':
