@@ -25,7 +25,7 @@ export function readPath(document: Document, path: Path): unknown {
   return value;
 }
 
-function writePath(document: Document, path: Path, value: unknown): void {
+export function writePath(document: Document, path: Path, value: unknown): void {
   const parent = readPath(document, path.slice(0, -1));
   const key = path.at(-1);
   if (typeof parent !== 'object' || parent === null || key === undefined) return;

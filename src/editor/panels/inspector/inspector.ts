@@ -2,6 +2,7 @@
  * The inspector shows the fields of what is selected. It is built anew only when other fields are
  * needed; otherwise every field is updated in place, so that a slider survives its own drag.
  */
+import { describeEntities } from '../../../scene/entity.ts';
 import { geometryNames } from '../../../scene/geometry-schema.ts';
 import type { Document } from '../../../scene/schema.ts';
 import { renameEntity } from '../../commands.ts';
@@ -12,6 +13,7 @@ import { h } from '../../ui/dom.ts';
 import { textField } from '../../ui/fields.ts';
 import { tryEdit } from './cell.ts';
 import { lightPanel, lightStructure } from './light.ts';
+import { manyPanel, manyStructure } from './many.ts';
 import { materialPanel, materialStructure } from './material.ts';
 import { objectPanel, objectStructure } from './object.ts';
 import type { InspectorPanel } from './panel.ts';
@@ -41,7 +43,7 @@ export function createInspector(session: Session): HTMLElement {
   let structure = '';
   const update = () => {
     const { document } = store;
-    const { selection } = state.value;
+    const { selection, selected } = state.value;
     const next = structureOf(session, selection);
     if (next !== structure || !panel) {
       const sameThing = structure.split(' ', 2).join() === next.split(' ', 2).join();
@@ -51,7 +53,11 @@ export function createInspector(session: Session): HTMLElement {
       body.replaceChildren(panel.element);
       body.scrollTop = scroll;
     }
-    kind.textContent = selection ? kindName(document, selection) : t('Scene');
+    const several = selected.length > 1;
+    name.element.hidden = several;
+    element.classList.toggle('several', several);
+    if (several) kind.textContent = translate(describeEntities(document, selected));
+    else kind.textContent = selection ? kindName(document, selection) : t('Scene');
     name.show(selection ? (document[selection.kind][selection.id]?.name ?? '') : document.name);
     panel.update();
   };
@@ -60,7 +66,7 @@ export function createInspector(session: Session): HTMLElement {
     update();
   });
   state.subscribe((now, before) => {
-    if (now.selection !== before.selection || now.units !== before.units) update();
+    if (now.selected !== before.selected || now.units !== before.units) update();
   });
   update();
   return element;
@@ -68,6 +74,7 @@ export function createInspector(session: Session): HTMLElement {
 
 function structureOf(session: Session, selection: Selection): string {
   const { document } = session.store;
+  if (session.state.value.selected.length > 1) return `many ${manyStructure(session)}`;
   if (!selection) return `scene ${sceneStructure(document)}`;
   const { kind, id } = selection;
   if (kind === 'objects') return `objects ${objectStructure(document, id)}`;
@@ -76,6 +83,7 @@ function structureOf(session: Session, selection: Selection): string {
 }
 
 function panelFor(session: Session, selection: Selection): InspectorPanel {
+  if (session.state.value.selected.length > 1) return manyPanel(session);
   if (!selection) return scenePanel(session);
   switch (selection.kind) {
     case 'lights':

@@ -12,6 +12,7 @@ import { section } from '../../ui/section.ts';
 import { sliderField } from '../../ui/slider-field.ts';
 import { type Cell, pathCell } from './cell.ts';
 import { type Bound, choiceLabel, labelOf, shapeFields } from './field.ts';
+import { placeField } from './locked.ts';
 import type { InspectorPanel } from './panel.ts';
 import { chosenUnit, isPhotometric, photometricRow } from './photometric.ts';
 
@@ -35,7 +36,8 @@ export function lightPanel(session: Session, id: string): InspectorPanel {
         skip: ['name'],
         custom(name, info, cell) {
           if (isPhotometric(light.type, name)) return photometricRow(session, id, light.type, info, cell);
-          return info.unit === 'K' && info.nullable ? temperatureRow(labelOf(name), info, cell) : undefined;
+          if (info.unit === 'K' && info.nullable) return temperatureRow(labelOf(name), info, cell);
+          return placeField(session, { kind: 'lights', id }, name, info, cell);
         },
       }),
     );

@@ -18,6 +18,7 @@ import { row, selectField } from '../../ui/fields.ts';
 import { section } from '../../ui/section.ts';
 import { pathCell, tryEdit } from './cell.ts';
 import { type Bound, shapeFields } from './field.ts';
+import { placeField } from './locked.ts';
 import { materialPanel, materialStructure } from './material.ts';
 import type { InspectorPanel } from './panel.ts';
 
@@ -35,6 +36,7 @@ export function objectPanel(session: Session, id: string): InspectorPanel {
       pathCell(store, ['objects', id, name], t('Change {label}', { label: label.toLowerCase() })),
     defaults: objectDefaults,
     skip: ['name'],
+    custom: (name, info, cell) => placeField(session, { kind: 'objects', id }, name, info, cell),
   });
   const shape = geometry
     ? shapeFields(geometryShapes[geometry.type], {

@@ -67,12 +67,20 @@ export function paletteItems({ actions, store, state, focusSelection }: Session)
   ];
 }
 
+/** What is found in the title alone comes first. */
+const IN_TITLE = 12;
+
+function scoreOf(typed: string, item: PaletteItem): number | null {
+  const title = matchScore(typed, plain(item.title));
+  return title === null ? matchScore(typed, item.text) : title + IN_TITLE;
+}
+
 /** The items that fit, the best first; all in their order where nothing was typed. */
 export function findItems(items: readonly PaletteItem[], query: string, most: number): PaletteItem[] {
   const typed = plain(query.trim());
   if (typed === '') return items.slice(0, most);
   return items
-    .map((item) => ({ item, score: matchScore(typed, item.text) }))
+    .map((item) => ({ item, score: scoreOf(typed, item) }))
     .filter((found): found is { item: PaletteItem; score: number } => found.score !== null)
     .sort((a, b) => b.score - a.score)
     .slice(0, most)
