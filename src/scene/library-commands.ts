@@ -90,3 +90,27 @@ export function putLook(draft: Draft, id: string, look: MaterialLook): void {
   const terms = findModel(draft, look.model)?.terms ?? [];
   if (draft.view.term?.material === id && !terms.includes(draft.view.term.name)) draft.view.term = null;
 }
+
+/** Sets all of a material's parameters at once; what has the model's default is not stored. */
+export function setValues(
+  store: DocumentStore,
+  id: string,
+  label: string,
+  values: Readonly<Record<string, ParameterValue>>,
+  merge?: string,
+): void {
+  const { name, model } = entity(store.document, 'materials', id);
+  const parameters = findModel(store.document, model)?.parameters ?? [];
+  const stored = parameters.filter(
+    (parameter) => JSON.stringify(values[parameter.name]) !== JSON.stringify(parameter.default),
+  );
+  store.edit(
+    `${name}: ${label}`,
+    (draft) => {
+      entity(draft, 'materials', id).parameters = Object.fromEntries(
+        stored.map((parameter) => [parameter.name, structuredClone(values[parameter.name])]),
+      ) as Material['parameters'];
+    },
+    { ...(merge !== undefined && { merge }) },
+  );
+}
