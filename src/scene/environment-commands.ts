@@ -5,7 +5,6 @@ import {
   type SunPosition,
   skyDefaults,
   softBoxDefaults,
-  studioDefaults,
   sunPositionDefaults,
 } from './environment-schema.ts';
 import { sunAngles } from './sky/sun.ts';
@@ -26,11 +25,6 @@ export function setEnvironmentSource(store: DocumentStore, source: EnvironmentSo
 }
 
 export const newSky = (): EnvironmentSource => structuredClone(skyDefaults);
-export const newStudio = (boxes: readonly SoftBox[]): EnvironmentSource => ({
-  ...structuredClone(studioDefaults),
-  boxes: structuredClone(boxes) as SoftBox[],
-});
-
 /** Says in the other way where the sun stands; a direction stays what the place and the time have made it. */
 export function setSunPositionType(store: DocumentStore, type: SunPosition['type']): void {
   editSky(store, 'Change how the sun is placed', (sky) => {

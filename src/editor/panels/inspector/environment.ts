@@ -20,12 +20,14 @@ import {
 import { type EnvironmentPreset, environmentPresets } from '../../../scene/presets.ts';
 import type { EnvironmentSource } from '../../../scene/schema.ts';
 import { sunAngles } from '../../../scene/sky/sun.ts';
+import { studioOf } from '../../../scene/studio-arrangements.ts';
 import { attempt } from '../../commands.ts';
 import { ENVIRONMENT_ACCEPT, isEnvironmentAsset } from '../../io/files.ts';
 import { t } from '../../language/language.ts';
 import type { Session } from '../../session.ts';
 import { h } from '../../ui/dom.ts';
 import { row, selectField, switchField } from '../../ui/fields.ts';
+import { toastError } from '../../ui/toast.ts';
 import { tryEdit } from './cell.ts';
 import { type Bound, choiceLabel } from './field.ts';
 
@@ -45,7 +47,12 @@ export function environmentStructure({ source }: { source: EnvironmentSource }):
 export function environmentRows(session: Session, part: Part): { rows: HTMLElement[]; bound: Bound[] } {
   const { source } = session.store.document.environment;
   const choice = environmentChoice(session);
-  const own = source.type === 'sky' ? [...skyRows(session, source.sun.type)] : [];
+  const own =
+    source.type === 'sky'
+      ? [...skyRows(session, source.sun.type)]
+      : source.type === 'studio'
+        ? [studioRows(session)]
+        : [];
   return {
     rows: [
       choice.element,
@@ -157,6 +164,20 @@ function placedSunRow({ store }: Session): Bound {
   };
 }
 
+/** What arranges soft boxes comes when it is needed. */
+function studioRows(session: Session): Bound {
+  const element = h('div');
+  let panel: Bound | null = null;
+  import('../studio/panel.ts')
+    .then(({ studioPanel }) => {
+      panel = studioPanel(session);
+      element.append(panel.element);
+      panel.update();
+    })
+    .catch((error: unknown) => toastError(t('The studio cannot be shown'), error));
+  return { element, update: () => panel?.update() };
+}
+
 const OPEN_FILE = 'open';
 
 /** One list of everything that can light the scene from all around. */
@@ -175,6 +196,7 @@ function environmentChoice(session: Session): Bound {
     else if (type === 'hdr') set({ type, asset: name });
     else if (type === 'constant') set({ type, color: [1, 1, 1] });
     else if (type === 'sky') set(newSky());
+    else if (type === 'studio') set(studioOf('threePoint'));
     else set({ type: 'none' });
   });
   const update = () => {
@@ -188,6 +210,7 @@ function environmentChoice(session: Session): Bound {
       { value: 'none', label: t('None') },
       { value: 'constant', label: t('Constant') },
       { value: 'sky', label: t('Sky and sun') },
+      { value: 'studio', label: t('Studio of soft boxes') },
       ...files.map(([id, asset]) => ({ value: `hdr:${id}`, label: asset.name, group: t('In this scene') })),
       ...environmentPresets.map((name) => ({
         value: `preset:${name}`,
