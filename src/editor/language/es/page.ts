@@ -38,6 +38,7 @@ export const page: Catalogue = {
   'Go to the part of the page before': 'Ir a la parte anterior de la página',
   'Command palette…': 'Paleta de órdenes…',
   'Keyboard shortcuts': 'Atajos de teclado',
+  'Tour of the page': 'Recorrido por la página',
   'About Irradia': 'Acerca de Irradia',
   Rename: 'Cambiar el nombre',
   Duplicate: 'Duplicar',

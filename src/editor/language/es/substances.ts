@@ -34,7 +34,6 @@ export const substances: Catalogue = {
   'Fluorite, CaF2': 'Fluorita, CaF2',
   'Fused silica, SiO2': 'Sílice fundida, SiO2',
   'Glycerol at 25 degrees': 'Glicerol a 25 grados',
-  Ice: 'Hielo',
   'Magnesium fluoride, MgF2, ordinary ray': 'Fluoruro de magnesio, MgF2, rayo ordinario',
   Polycarbonate: 'Policarbonato',
   Polystyrene: 'Poliestireno',
