@@ -110,6 +110,9 @@ function seen(
   return null;
 }
 
+/** Of the card's upper left corner, in CSS pixels. */
+type Place = readonly [x: number, y: number];
+
 /** The card goes where there is room: beside the thing, below or above it, or over its lower edge. */
 function put(card: HTMLElement, ring: HTMLElement, at: DOMRect): void {
   ring.style.left = `${at.left}px`;
@@ -119,14 +122,19 @@ function put(card: HTMLElement, ring: HTMLElement, at: DOMRect): void {
   const { width, height } = card.getBoundingClientRect();
   const middle = at.top + Math.min(at.height, innerHeight) / 2 - height / 2;
   const start = at.left + at.width / 2 - width / 2;
-  const places: readonly (readonly [number, number])[] = [
+  const beside: Place[] = [
     [at.right + GAP, middle],
     [at.left - GAP - width, middle],
-    [start, at.bottom + GAP],
-    [start, at.top - GAP - height],
   ];
-  const fits = ([x, y]: readonly [number, number]) =>
-    x >= GAP && x + width <= innerWidth - GAP && y + height > GAP && y <= innerHeight - GAP - height / 2;
+  const below: Place = [start, at.bottom + GAP];
+  const above: Place = [start, at.top - GAP - height];
+  const isInBar = at.bottom < height;
+  const places = isInBar ? [below, ...beside] : [...beside, below, above];
+  // Half of it may have to be pulled back into the window.
+  const fits = ([x, y]: Place) =>
+    (isInBar || (x >= GAP && x + width <= innerWidth - GAP)) &&
+    y >= -height / 2 &&
+    y + height / 2 <= innerHeight;
   const [x, y] = places.find(fits) ?? [start, at.bottom - height - 4 * GAP];
   card.style.left = `${Math.max(GAP, Math.min(x, innerWidth - width - GAP))}px`;
   card.style.top = `${Math.max(GAP, Math.min(y, innerHeight - height - GAP))}px`;
