@@ -1,5 +1,6 @@
 /** A field of the scene within a lesson: the inspector's own control, so that a drag is one undo step. */
 
+import { t } from '../../language/language.ts';
 import type { Course } from '../../learn/course.ts';
 import { fieldAt } from '../../learn/field-path.ts';
 import type { Range } from '../../learn/lesson.ts';
@@ -33,7 +34,7 @@ export function lessonField(
   const { store } = session;
   const { path, info, otherwise } = fieldAt(course.step.document, text);
   const name = label || labelOf(String(path.findLast((part) => typeof part === 'string')));
-  const cell = pathCell(store, path, `Change ${name}`);
+  const cell = pathCell(store, path, t('Change {label}', { label: name }));
   const read = () => cell.get() ?? otherwise;
   const before = readPath(course.step.document, path) ?? otherwise;
   const bound =
