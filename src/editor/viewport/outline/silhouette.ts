@@ -42,6 +42,8 @@ export function silhouette(mesh: MeshEdges, view: SilhouetteView): Loop[] {
   }
   const place = placesOf(mesh, view);
   const lines = new Lines();
+  // Of a closed mesh each line is there twice: of a front and of a back.
+  const share = place.isCut || net.some((times) => times % 2 !== 0) ? 1 : 2;
   for (let edge = 0; edge < net.length; edge++) {
     const times = net[edge]!;
     if (times === 0) continue;
@@ -50,7 +52,7 @@ export function silhouette(mesh: MeshEdges, view: SilhouetteView): Loop[] {
     const [seenFrom, seenTo] = [place.isSeen(from), place.isSeen(to)];
     if (!seenFrom && !seenTo) continue;
     const cut = place.cut(edge);
-    lines.add(seenFrom ? from : cut, seenTo ? to : cut, Math.abs(times));
+    lines.add(seenFrom ? from : cut, seenTo ? to : cut, Math.abs(times) / share);
   }
   if (place.isCut) addCuts(mesh, facing, place, lines);
   return lines.loops().map((loop) => pixelsOf(loop, place));

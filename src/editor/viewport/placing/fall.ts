@@ -24,23 +24,34 @@ export function fallOf(bodies: readonly Body[], obstacles: readonly Triangles[])
   if (plan === null) return null;
   const total = bodies.reduce((sum, { triangles }) => sum + triangles.length / 9, 0);
   const grid = new PlanGrid(plan, Math.min(MAX_CELLS, Math.ceil(Math.sqrt(total))));
-  for (const triangles of obstacles) for (let at = 0; at < triangles.length; at += 9) grid.add(triangles, at);
+  for (const triangles of obstacles) for (const below of facetsOf(triangles)) grid.add(below);
   let least = Number.POSITIVE_INFINITY;
-  for (const { triangles, middle } of bodies)
-    for (let at = 0; at < triangles.length; at += 9) {
-      const above = facet(triangles, at);
-      if (above === null) continue;
-      for (const below of grid.near(above))
+  for (const { triangles, middle } of bodies) {
+    // The lowest first: most of the others are then out of reach at once.
+    const facets = facetsOf(triangles).sort((a, b) => a.low - b.low);
+    for (const above of facets)
+      for (const below of grid.near(above, above.low - least))
         if (above.low - below.high < least && below.low <= middle)
           least = Math.min(least, gapBetween(above, below, middle));
-    }
+  }
   return Number.isFinite(least) ? least : plan.low;
 }
+
+function facetsOf(triangles: Triangles): Facet[] {
+  const facets: Facet[] = [];
+  for (let at = 0; at < triangles.length; at += 9) {
+    const found = facet(triangles, at);
+    if (found) facets.push(found);
+  }
+  return facets;
+}
+
+type Corner = readonly [x: number, z: number];
 
 /** A triangle that is not upright. */
 interface Facet {
   /** x and z of its corners, in the order that goes about y counter-clockwise, as seen from -y. */
-  readonly corners: readonly (readonly [x: number, z: number])[];
+  readonly corners: readonly [Corner, Corner, Corner];
   /** Its height is h(x, z) = a x + b z + c. */
   readonly plane: readonly [a: number, b: number, c: number];
   readonly low: number;
@@ -55,16 +66,18 @@ function facet(t: Triangles, at: number): Facet | null {
   if (Math.abs(area) < LEAST_AREA) return null;
   const a = (uy * vz - uz * vy) / area;
   const b = (ux * vy - uy * vx) / area;
-  const corners = [[ax, az] as const, [ax + ux, az + uz] as const, [ax + vx, az + vz] as const];
+  const [first, second, third]: [Corner, Corner, Corner] = [
+    [ax, az],
+    [ax + ux, az + uz],
+    [ax + vx, az + vz],
+  ];
   return {
-    corners: area > 0 ? corners : corners.reverse(),
+    corners: area > 0 ? [first, second, third] : [first, third, second],
     plane: [a, b, ay - a * ax - b * az],
     low: ay + Math.min(0, uy, vy),
     high: ay + Math.max(0, uy, vy),
   };
 }
-
-type Corner = readonly [x: number, z: number];
 
 function gapBetween(above: Facet, below: Facet, middle: number): number {
   let polygon: readonly Corner[] = above.corners;
@@ -131,40 +144,42 @@ class PlanGrid {
   readonly #plan: Plan;
   readonly #cells: number;
   readonly #lists: Facet[][];
+  /** The height of the highest in each cell. */
+  readonly #tops: Float64Array;
 
   constructor(plan: Plan, cells: number) {
     this.#plan = plan;
     this.#cells = cells;
     this.#lists = Array.from({ length: cells * cells }, () => []);
+    this.#tops = new Float64Array(cells * cells).fill(Number.NEGATIVE_INFINITY);
   }
 
-  add(triangles: Triangles, at: number): void {
-    const found = facet(triangles, at);
-    if (found) for (const cell of this.#cellsOf(found)) this.#lists[cell]?.push(found);
+  add(below: Facet): void {
+    this.#eachCell(below, (cell) => {
+      this.#lists[cell]?.push(below);
+      this.#tops[cell] = Math.max(this.#tops[cell] as number, below.high);
+    });
   }
 
-  near(above: Facet): Set<Facet> {
-    const found = new Set<Facet>();
-    for (const cell of this.#cellsOf(above)) for (const below of this.#lists[cell] ?? []) found.add(below);
-    return found;
+  /** What is under a triangle, from cells that reach higher than `from`; some of it more than once. */
+  near(above: Facet, from: number): Facet[] {
+    const found: Facet[][] = [];
+    this.#eachCell(above, (cell) => {
+      if ((this.#tops[cell] as number) > from) found.push(this.#lists[cell] as Facet[]);
+    });
+    return found.length === 1 ? (found[0] as Facet[]) : found.flat();
   }
 
-  *#cellsOf({ corners }: Facet): Generator<number> {
-    const [x0, x1] = this.#range(
-      corners.map(([x]) => x),
-      this.#plan.x,
-    );
-    const [z0, z1] = this.#range(
-      corners.map(([, z]) => z),
-      this.#plan.z,
-    );
+  #eachCell({ corners: [a, b, c] }: Facet, visit: (cell: number) => void): void {
+    const { x, z } = this.#plan;
+    const [x0, x1] = this.#range(Math.min(a[0], b[0], c[0]), Math.max(a[0], b[0], c[0]), x);
+    const [z0, z1] = this.#range(Math.min(a[1], b[1], c[1]), Math.max(a[1], b[1], c[1]), z);
     for (let row = z0; row <= z1; row++)
-      for (let column = x0; column <= x1; column++) yield row * this.#cells + column;
+      for (let column = x0; column <= x1; column++) visit(row * this.#cells + column);
   }
 
   /** Cells from the first to the last; none for what is beside the plan. */
-  #range(values: readonly number[], [from, to]: readonly [number, number]): readonly [number, number] {
-    const [low, high] = [Math.min(...values), Math.max(...values)];
+  #range(low: number, high: number, [from, to]: readonly [number, number]): readonly [number, number] {
     if (high < from || low > to) return [0, -1];
     const cell = (value: number) =>
       Math.min(this.#cells - 1, Math.max(0, Math.floor(((value - from) / (to - from || 1)) * this.#cells)));
