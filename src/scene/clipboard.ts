@@ -8,7 +8,7 @@ import { compactDocument, isSame } from './compact.ts';
 import { createDocument, parseDocument } from './document.ts';
 import { describeEntities, type EntityKind, type EntityRef, entity, namesOf } from './entity.ts';
 import { DocumentError } from './error.ts';
-import { wholeGroups } from './groups.ts';
+import { keyOf, wholeGroups } from './groups.ts';
 import { materialMaps } from './material-schema.ts';
 import { modelNames } from './models.ts';
 import { FreeIds, FreeNames } from './names.ts';
@@ -103,7 +103,7 @@ function parseClipboard(text: string): Clipboard {
   return { document: parsed, selected: refsOf(selected, parsed) };
 }
 
-/** Those that name something in the document; everything but materials where nothing is named. */
+/** Those that name something in the document, then the other lights and objects in it: nothing is left out. */
 function refsOf(json: unknown, document: Document): EntityRef[] {
   const named = Array.isArray(json)
     ? json.filter(
@@ -120,8 +120,8 @@ function refsOf(json: unknown, document: Document): EntityRef[] {
   const all = (['lights', 'objects'] as const).flatMap((kind) =>
     Object.keys(document[kind]).map((id) => ({ kind, id })),
   );
-  const keys = new Map([...all, ...named].map((ref) => [`${ref.kind} ${ref.id}`, ref]));
-  return [...keys.values()];
+  const refs = [...named, ...all].map(({ kind, id }) => ({ kind, id }));
+  return [...new Map(refs.map((ref) => [keyOf(ref), ref])).values()];
 }
 
 /**
@@ -138,9 +138,9 @@ export function pasteEntities(store: DocumentStore, text: string): EntityRef[] {
     const merge = new Merge(draft, store.document, from);
     // Materials first: objects that were copied with theirs get the copies.
     const ordered = [...selected].sort((a, b) => rank(a) - rank(b));
-    for (const ref of ordered) pasted.set(`${ref.kind} ${ref.id}`, { kind: ref.kind, id: merge.add(ref) });
+    for (const ref of ordered) pasted.set(keyOf(ref), { kind: ref.kind, id: merge.add(ref) });
   });
-  return selected.flatMap(({ kind, id }) => pasted.get(`${kind} ${id}`) ?? []);
+  return selected.flatMap((ref) => pasted.get(keyOf(ref)) ?? []);
 }
 
 const rank = ({ kind }: EntityRef) => (kind === 'materials' ? 0 : 1);

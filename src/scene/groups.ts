@@ -50,11 +50,10 @@ export function wholeGroups(document: Document, refs: readonly EntityRef[]): Set
   const chosen = new Set(refs.map(keyOf));
   const all = memberCounts(document);
   const among = memberCounts(document, (ref) => chosen.has(keyOf(ref)));
-  const whole = new Set([...all].filter(([id, count]) => among.get(id) === count).map(([id]) => id));
+  const isWhole = (id: string) => all.has(id) && among.get(id) === all.get(id);
   // A group without members goes with the one that it is in.
-  for (const id of Object.keys(document.groups))
-    if (!all.has(id) && [...groupsAround(document.groups, id)].some((at) => whole.has(at))) whole.add(id);
-  return whole;
+  const goesAlong = (id: string) => !all.has(id) && [...groupsAround(document.groups, id)].some(isWhole);
+  return new Set(Object.keys(document.groups).filter((id) => isWhole(id) || goesAlong(id)));
 }
 
 export interface Units {
