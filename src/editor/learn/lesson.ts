@@ -31,8 +31,8 @@ export interface Definition {
 /** What is read in a step, in the order of the text. */
 export type Block = { readonly place: Place } & (
   | Prose
-  /** TeX, on a line of its own; `terms` are the keys of its \term{key}{...}. */
-  | { readonly kind: 'formula'; readonly tex: string; readonly terms: readonly string[] }
+  /** TeX, on a line of its own; `terms` are its \term{key}{...}: what each key's first one looks like. */
+  | { readonly kind: 'formula'; readonly tex: string; readonly terms: ReadonlyMap<string, string> }
   | { readonly kind: 'field'; readonly path: string; readonly range: Range | null; readonly label: string }
   | { readonly kind: 'do' | 'see'; readonly text: readonly Inline[] }
   | { readonly kind: 'question'; readonly question: readonly Inline[]; readonly answer: readonly Inline[] }

@@ -164,7 +164,7 @@ class Body {
     for (const { blocks } of this.#steps)
       for (const block of blocks) {
         const { place } = block;
-        if (block.kind === 'formula') this.#checkDefined(block.terms, place);
+        if (block.kind === 'formula') this.#checkDefined(block.terms.keys(), place);
         else if (block.kind === 'paragraph' || block.kind === 'list')
           this.#checkInline(inlineIn(block), place);
         else if (block.kind === 'question') {
@@ -176,16 +176,16 @@ class Body {
   }
 
   #checkInline(inline: readonly Inline[], place: Place): void {
-    for (const tex of formulasIn(inline)) this.#checkDefined(this.#checked(tex, place), place);
+    for (const tex of formulasIn(inline)) this.#checkDefined(this.#checked(tex, place).keys(), place);
   }
 
-  #checkDefined(terms: readonly string[], place: Place): void {
+  #checkDefined(terms: Iterable<string>, place: Place): void {
     for (const key of terms)
       if (!this.#definitions.has(key))
         throw new LessonError(place, `nothing says what ${shown(key)} is`, `:define ${key} ...`);
   }
 
-  #checked(tex: string, place: Place): string[] {
+  #checked(tex: string, place: Place): Map<string, string> {
     try {
       return checkTex(tex);
     } catch (error) {

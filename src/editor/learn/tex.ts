@@ -27,13 +27,31 @@ const options = (display: boolean): KatexOptions => ({
   macros: { '\\term': '\\htmlData{lesson-term=#1}{#2}' },
 });
 
-/** The keys of the formula's terms. Throws an Error that says what is wrong with it. */
-export function checkTex(tex: string): string[] {
+/** By the keys of the formula's terms, what the first of each looks like, as TeX. Throws an Error that says what is wrong with it. */
+export function checkTex(tex: string): Map<string, string> {
   if (tex.length > MOST_TEX) throw new Error(`the formula has more than ${MOST_TEX} characters`);
   const forbidden = WITHOUT_STYLE.exec(tex);
   if (forbidden) throw new Error(`${forbidden[0]} is not allowed in a lesson`);
   const html = katex.renderToString(tex, options(true));
-  return [...new Set([...html.matchAll(/data-lesson-term="([^"]*)"/g)].map(([, key]) => key as string))];
+  const terms = new Map<string, string>();
+  for (const [, key = ''] of html.matchAll(/data-lesson-term="([^"]*)"/g)) terms.set(key, insideOf(tex, key));
+  return terms;
+}
+
+/** What stands in the braces of the first \term{key}{...}; the key itself where a macro hides it. */
+function insideOf(tex: string, key: string): string {
+  const opening = `\\term{${key}}{`;
+  const from = tex.indexOf(opening) + opening.length;
+  if (from < opening.length) return `\\text{${key}}`;
+  let depth = 1;
+  let to = from;
+  for (; to < tex.length; to++) {
+    if (tex[to] === '\\') to += 1;
+    else if (tex[to] === '{') depth += 1;
+    else if (tex[to] === '}') depth -= 1;
+    if (depth === 0) return tex.slice(from, to);
+  }
+  return `\\text{${key}}`;
 }
 
 /** Puts a formula, which has been checked, into an element. */

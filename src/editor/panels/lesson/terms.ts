@@ -3,6 +3,7 @@
 import { t } from '../../language/language.ts';
 import type { Course } from '../../learn/course.ts';
 import type { Definition } from '../../learn/lesson.ts';
+import { typeset } from '../../learn/tex.ts';
 import type { Session } from '../../session.ts';
 import { h } from '../../ui/dom.ts';
 import { icon } from '../../ui/icons.ts';
@@ -26,15 +27,16 @@ export class Terms {
   }
 
   /** A part of the text that has terms in it, with room below it to explain one. */
-  block(make: (onTerm: (key: string) => void) => HTMLElement, keys: readonly string[] = []): HTMLElement {
+  block(
+    make: (onTerm: (key: string) => void) => HTMLElement,
+    terms: ReadonlyMap<string, string> = new Map(),
+  ): HTMLElement {
     const room = h('div', { class: 'lesson-explanation', role: 'status' });
     const holder = h('div', { class: 'lesson-block' });
     const onTerm = (key: string) => this.#toggle(key, holder);
+    const chips = this.#inOrder(terms).map(([key, tex]) => this.#chip(key, tex, onTerm));
     holder.append(make(onTerm));
-    if (keys.length > 0)
-      holder.append(
-        h('div', { class: 'lesson-chips' }, ...this.#inOrder(keys).map((key) => this.#chip(key, onTerm))),
-      );
+    if (chips.length > 0) holder.append(h('div', { class: 'lesson-chips' }, ...chips));
     holder.append(room);
     this.#places.set(holder, room);
     for (const part of holder.querySelectorAll<HTMLElement>('[data-lesson-term]'))
@@ -54,8 +56,9 @@ export class Terms {
     return this.#course.lesson.definitions.get(key) as Definition;
   }
 
-  #inOrder(keys: readonly string[]): string[] {
-    return [...this.#course.lesson.definitions.keys()].filter((key) => keys.includes(key));
+  #inOrder(terms: ReadonlyMap<string, string>): [key: string, tex: string][] {
+    const keys = [...this.#course.lesson.definitions.keys()];
+    return [...terms].sort(([a], [b]) => keys.indexOf(a) - keys.indexOf(b));
   }
 
   #color(key: string): string {
@@ -63,9 +66,15 @@ export class Terms {
     return `var(--series-${at % COLORS})`;
   }
 
-  #chip(key: string, onTerm: (key: string) => void): HTMLElement {
+  #chip(key: string, tex: string, onTerm: (key: string) => void): HTMLElement {
     const { target } = this.#definition(key);
-    const button = h('button', { type: 'button', class: 'lesson-chip', 'aria-pressed': 'false' }, key);
+    const button = h('button', {
+      type: 'button',
+      class: 'lesson-chip',
+      'aria-label': key,
+      'aria-pressed': 'false',
+    });
+    typeset(tex, button, false);
     button.dataset.lessonTerm = key;
     if (target.kind === 'term') button.append(icon('eye'));
     else if (target.kind === 'field') button.append(icon('slider'));
@@ -82,7 +91,7 @@ export class Terms {
     if (target.kind === 'field' && hasField(this.#course, target.path))
       fields.push(lessonField(this.#session, this.#course, { path: target.path }));
     this.#open = { key, holder, fields };
-    const whole = h('button', { type: 'button', class: 'text-button lesson-whole' }, t('Whole model again'));
+    const whole = h('button', { type: 'button', class: 'text-button lesson-whole' }, t('As before'));
     whole.addEventListener('click', () => this.#toggle(key, holder));
     const body = h(
       'div',
