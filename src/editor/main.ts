@@ -15,6 +15,7 @@ import { editActions } from './actions/edit.ts';
 import { fileActions } from './actions/file.ts';
 import { keptKeymap } from './actions/keymap.ts';
 import { learnActions, learning } from './actions/learn.ts';
+import { loadMaterialTools, materialActions } from './actions/material.ts';
 import { pageActions } from './actions/page.ts';
 import { selectionActions } from './actions/selection.ts';
 import { installShortcuts } from './actions/shortcuts.ts';
@@ -31,6 +32,7 @@ import { t } from './language/language.ts';
 import { createBench } from './panels/bench/bench.ts';
 import { exportEntries } from './panels/export/entries.ts';
 import { createInspector } from './panels/inspector/inspector.ts';
+import type { MaterialContext } from './panels/library/tools.ts';
 import { createOutliner } from './panels/outliner/outliner.ts';
 import { createSheetTabs } from './panels/sheets.ts';
 import { createSourcePanel } from './panels/source/source.ts';
@@ -167,8 +169,18 @@ store.subscribe(({ reason, document }) => {
       .then(() => mirror.settled())
       .then(adoptPreset);
 });
+const materials: MaterialContext = {
+  session,
+  mirror,
+  assets,
+  view,
+  outliner: outliner.element,
+  renderer: () => window.irradia.renderer,
+  viewport: () => window.irradia.viewport,
+};
 installDrop(view, (files) => void session.openFiles(files));
 session.actions.add(fileActions(session, { open, saveAs, screenshot }));
+session.actions.add(materialActions(materials));
 session.actions.add(editActions(session));
 session.actions.add(clipboardActions(session, installClipboard(session)));
 session.actions.add(selectionActions(session));
@@ -188,6 +200,7 @@ window.irradia.ready
     // start() has told the person; this keeps the browser from telling it again.
   })
   .then(() => installOffline(() => workspace.reload()));
+void window.irradia.ready.catch(() => null).then(() => loadMaterialTools(materials));
 // A page without a renderer takes files, too.
 void window.irradia.ready.then(importAddressed, importAddressed);
 void window.irradia.ready.then(openAddressedLesson, openAddressedLesson);

@@ -16,6 +16,7 @@ import { row, selectField, switchField } from '../../ui/fields.ts';
 import { section } from '../../ui/section.ts';
 import { sliderField } from '../../ui/slider-field.ts';
 import { openFit } from '../fit/fit.ts';
+import { materialButtons } from '../library/buttons.ts';
 import { type Cell, pathCell } from './cell.ts';
 import { type Bound, labelOf, shapeFields } from './field.ts';
 import { mapRows } from './maps.ts';
@@ -62,6 +63,7 @@ export function materialPanel(session: Session, id: string): InspectorPanel {
     h('p', { class: 'hint model-title' }, translate(model?.file.title ?? '')),
     editSourceButton(session),
     fitButton(session, id),
+    ...materialButtons(session),
   );
   const fold = (title: string, ...children: Node[]) =>
     section(

@@ -186,6 +186,7 @@ function addEntries({ actions }: Session): MenuEntry[] {
     ...lightTypes.map((type) => entry(type, lightDefaults[type].name)),
     'separator',
     entry('material', 'Material'),
+    actionEntry(actions, 'material.library', { icon: 'material', label: t('Material of the library…') }),
   ];
 }
 
