@@ -4,9 +4,22 @@
  */
 import axe from 'axe-core';
 import { expect, it } from 'vitest';
+import { createDocument } from '../../src/scene/document.ts';
 import { type LabPage, openLab } from './lab.ts';
 
 const lab = await openLab();
+/** One of each kind, which a GPU made of software draws soon. */
+const small = {
+  query: '?scene=/small.json',
+  files: {
+    '/small.json': JSON.stringify({
+      ...createDocument('Small'),
+      materials: { gold: { name: 'Gold', model: 'principled' } },
+      objects: { ball: { name: 'Ball', material: 'gold', geometry: { type: 'sphere' } } },
+      lights: { lamp: { type: 'spot', name: 'Lamp', position: [2, 3, 2], intensity: 100 } },
+    }),
+  },
+};
 
 /** What axe-core calls serious or critical, each with the elements that have it. */
 async function findings(page: LabPage, rules?: readonly string[]): Promise<string[]> {
@@ -35,8 +48,8 @@ const PARTS: readonly (readonly [
         ({ page }: LabPage) => page.keyboard.press('Escape'),
       ] as const,
   ),
-  ['the inspector of an object', (page) => page.select('objects', 'suzanne')],
-  ['the inspector of a light', (page) => page.select('lights', 'spot')],
+  ['the inspector of an object', (page) => page.select('objects', 'ball')],
+  ['the inspector of a light', (page) => page.select('lights', 'lamp')],
   ['the inspector of a material', (page) => page.select('materials', 'gold')],
   [
     'the colour picker',
@@ -78,18 +91,158 @@ const PARTS: readonly (readonly [
   ],
 ];
 
-it.each(['dark', 'light'])('axe-core finds nothing serious in the %s theme', async (theme) => {
-  const init = `${axe.source}; localStorage.setItem('irradia.theme', '${theme}')`;
-  const page = await (await lab.open({ init, width: 1280, height: 720 })).ready();
+it('axe-core finds nothing serious in either theme', async () => {
+  const page = await (await lab.open({ ...small, init: axe.source, width: 1200, height: 640 })).ready();
   const found: string[] = [];
   for (const [name, open, close] of PARTS) {
     await open(page);
+    found.push(...(await findings(page)).map((finding) => `${name}: ${finding}`));
     // The themes differ in colours alone.
-    const all = await findings(page, theme === 'dark' ? undefined : ['color-contrast']);
-    found.push(...all.map((finding) => `${name}: ${finding}`));
+    await page.page.evaluate(`document.documentElement.dataset.theme = 'light'`);
+    const light = await findings(page, ['color-contrast']);
+    found.push(...light.map((finding) => `${name}, light: ${finding}`));
+    await page.page.evaluate(`document.documentElement.dataset.theme = 'dark'`);
     await close?.(page);
   }
   expect([...new Set(found)]).toEqual([]);
+  expect(page.errors).toEqual([]);
+  await page.page.close();
+});
+
+/** Presses Tab, or Shift+Tab, until an element has the focus. */
+async function tabTo({ page }: LabPage, selector: string, key = 'Tab'): Promise<void> {
+  const isThere = () => page.evaluate((s) => document.activeElement?.matches(s) ?? false, selector);
+  for (let i = 0; i < 60 && !(await isThere()); i++) await page.keyboard.press(key);
+  expect(await isThere(), selector).toBe(true);
+}
+
+it('the keyboard alone adds a sphere, changes its roughness, takes it back, and shows it path traced', async () => {
+  const page = await (await lab.open(small)).ready();
+  const { keyboard } = page.page;
+  const focused = (property: string) => page.page.evaluate<string>(`document.activeElement.${property}`);
+
+  // The menus: File is left by an arrow, Add is gone through by its first letter.
+  await tabTo(page, '.menu-button');
+  await keyboard.press('Enter');
+  await page.page.waitForSelector('[role=menu]');
+  await keyboard.press('ArrowRight');
+  await keyboard.press('ArrowRight');
+  await keyboard.press('s');
+  while (!(await focused('textContent')).startsWith('Sphere')) await keyboard.press('s');
+  await keyboard.press('Enter');
+  expect(await focused('textContent')).toBe('Add');
+  const spheres = `Object.values(irradia.store.document.objects).filter(({ geometry }) => geometry.type === 'sphere').length`;
+  await page.until(`${spheres} === 2`);
+
+  // The regions: on to the outliner, whose list leads to the material.
+  await keyboard.press('F6');
+  expect(await page.page.evaluate(`document.activeElement.closest('.panel-left') !== null`)).toBe(true);
+  await tabTo(page, '[role=tree]');
+  await keyboard.press('End');
+  await page.until(
+    `document.querySelector('.inspector-kind').textContent.toLowerCase().includes('material')`,
+  );
+  while (!(await page.page.evaluate(`document.activeElement.closest('.panel-right') !== null`)))
+    await keyboard.press('F6');
+  const roughness = `[data-label="Roughness"] input[type=range]`;
+  await tabTo(page, roughness);
+  const before = await focused('value');
+  await keyboard.press('ArrowRight');
+  expect(await focused('value')).not.toBe(before);
+  await keyboard.press('Control+z');
+  await page.until(`document.querySelector('${roughness}').value === '${before}'`);
+
+  // The documents: the dialog keeps the focus, and gives it back.
+  await keyboard.press('Control+Shift+O');
+  await page.page.locator('dialog.documents').waitFor();
+  for (let i = 0; i < 8; i++) await keyboard.press('Tab');
+  expect(
+    await page.page.evaluate(
+      `document.activeElement.closest('dialog') !== null || document.activeElement === document.body`,
+    ),
+  ).toBe(true);
+  await keyboard.press('Escape');
+  expect(await page.page.evaluate(`document.activeElement.matches('${roughness}')`)).toBe(true);
+
+  await keyboard.press('2');
+  await page.until(
+    `document.querySelector('.mode-switch [aria-checked=true]').textContent === 'Path traced'`,
+  );
+  await keyboard.press('p');
+  expect(page.errors).toEqual([]);
+  await page.page.close();
+});
+
+it('keys can be found, changed, swapped and reset, and are kept', async () => {
+  const page = await (await lab.open(small)).ready();
+  const { keyboard } = page.page;
+  await keyboard.press('?');
+  await page.page.locator('dialog.shortcuts').waitFor();
+  await keyboard.type('light helpers');
+  await page.page.locator('[data-action="view.helpers"] .shortcut-keys').focus();
+  await keyboard.press('Enter');
+  await keyboard.press('b');
+  expect(await page.page.locator('.shortcut-conflict').innerText()).toContain('BRDF bench');
+  // The focus is on what to do about it: swap.
+  await keyboard.press('Enter');
+  expect(await page.page.locator('[data-action="view.helpers"] .shortcut-keys').innerText()).toBe('B');
+  await keyboard.press('Escape');
+
+  const helpers = await page.page.evaluate<boolean>('irradia.store.document.view.helpers');
+  await keyboard.press('b');
+  await page.until(`irradia.store.document.view.helpers === ${!helpers}`);
+  await keyboard.press('h');
+  await page.page.locator('.bench').waitFor();
+
+  const again = await (await lab.open({ query: small.query, beside: page })).ready();
+  await again.page.locator('[data-keys="view.bench"]').first().hover();
+  await again.page.locator('.tooltip:has-text("(H)")').waitFor();
+  await again.page.keyboard.press('F1');
+  await again.page.locator('dialog.shortcuts').getByText('Reset all').click();
+  await again.page.keyboard.press('Escape');
+  await again.page.locator('[data-keys="view.helpers"]').hover();
+  await again.page.locator('.tooltip:has-text("(H)")').waitFor();
+  expect([...page.errors, ...again.errors]).toEqual([]);
+  await page.page.close();
+  await again.page.close();
+});
+
+it('the tour is offered once, points at real things, and ends with Escape', async () => {
+  const init = `Object.defineProperty(navigator, 'webdriver', { get: () => false })`;
+  const page = await (await lab.open({ ...small, init })).ready();
+  await page.page.locator('.invitation .primary').click();
+  const title = page.page.locator('.tour-card h2');
+  await title.waitFor();
+  const titles = [await title.innerText()];
+  for (let i = 0; i < 7; i++) {
+    await page.page.keyboard.press('ArrowRight');
+    titles.push(await title.innerText());
+  }
+  expect(new Set(titles).size).toBe(8);
+  await page.page.keyboard.press('Escape');
+  expect(await page.page.locator('.tour-card').count()).toBe(0);
+  const again = await (await lab.open({ query: small.query, beside: page, init })).ready();
+  expect(await again.page.locator('.invitation').count()).toBe(0);
+  expect([...page.errors, ...again.errors]).toEqual([]);
+  await page.page.close();
+  await again.page.close();
+});
+
+it('on a narrow page one panel at a time lies below the picture, and fingers find what they touch', async () => {
+  const page = await (await lab.open({ ...small, width: 390, height: 844 })).ready();
+  for (const [tab, panel] of [
+    ['Scene', '.panel-left'],
+    ['Properties', '.panel-right'],
+    ['Bench', '.bench'],
+    ['Figures', '.status'],
+  ] as const) {
+    await page.page.locator('.sheet-tab', { hasText: tab }).click();
+    const box = await page.page.locator(panel).boundingBox();
+    const picture = await page.page.locator('.viewport').boundingBox();
+    expect(box?.y, panel).toBeGreaterThanOrEqual((picture?.y ?? 0) + (picture?.height ?? 0));
+    expect(picture?.height, panel).toBeGreaterThan(150);
+  }
+  expect(await page.page.evaluate('document.documentElement.scrollWidth <= innerWidth')).toBe(true);
   expect(page.errors).toEqual([]);
   await page.page.close();
 });

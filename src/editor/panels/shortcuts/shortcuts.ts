@@ -21,6 +21,7 @@ export function openShortcuts({ actions }: Session): void {
   /** The action whose new keys are being waited for, and what was pressed that another action has. */
   let waiting: string | null = null;
   let wanted: string | null = null;
+  let updating = false;
 
   const wait = (id: string | null, keys: string | null = null) => {
     waiting = id;
@@ -81,7 +82,8 @@ export function openShortcuts({ actions }: Session): void {
     });
     change.addEventListener('keydown', (event) => onKey(event, action));
     change.addEventListener('blur', () => {
-      if (waiting === id && wanted === null && change.isConnected) wait(null);
+      // A browser may say so, too, of what is taken off the page to be made anew.
+      if (!updating && waiting === id && wanted === null) wait(null);
     });
     const element = h(
       'li',
@@ -142,6 +144,7 @@ export function openShortcuts({ actions }: Session): void {
   };
 
   const update = () => {
+    updating = true;
     const word = search.value.trim().toLocaleLowerCase();
     const isFound = (title: string, keys: string) => `${title} ${keys}`.toLocaleLowerCase().includes(word);
     const groups = subjectsOf(actions.all)
@@ -158,6 +161,7 @@ export function openShortcuts({ actions }: Session): void {
         ? ''
         : h('p', { class: 'hint' }, t('No shortcut has these words or keys.')),
     );
+    updating = false;
     resetAll.disabled = !actions.all.some(({ id }) => keymap.get(id) !== undefined);
   };
 
