@@ -12,6 +12,8 @@ export const PICTURE_SIZE = 128;
 export interface Card {
   readonly element: HTMLElement;
   readonly offer: Offer;
+  /** Of the picture that is shown or waited for. */
+  readonly pictureKey: string | null;
   /** Name and picture as they are now. */
   show(document: Document): void;
 }
@@ -31,6 +33,9 @@ export function createCard(offer: Offer, thumbnails: Thumbnails): Card {
   return {
     element,
     offer,
+    get pictureKey() {
+      return shown;
+    },
     show(document) {
       const title = titleOf(offer, document);
       if (name.textContent !== title) {

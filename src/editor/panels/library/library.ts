@@ -81,6 +81,20 @@ export function createLibrary(session: Session, thumbnails: Thumbnails): Library
     detail,
   );
 
+  const near = new Set<string>();
+  const seen = new IntersectionObserver(
+    (changes) => {
+      for (const { target, isIntersecting } of changes) {
+        const key = cards.get((target as HTMLElement).dataset.material ?? '')?.pictureKey;
+        if (!key) continue;
+        if (isIntersecting) near.add(key);
+        else near.delete(key);
+      }
+      thumbnails.hasten(near);
+    },
+    { root: list, rootMargin: '100px' },
+  );
+
   function build(): void {
     const sections = sectionsOf(store.document, own, { query: search.value, only });
     const wanted = new Set<string>();
@@ -93,7 +107,9 @@ export function createLibrary(session: Session, thumbnails: Thumbnails): Library
           ...offers.map((offer) => {
             const name = keyOfOffer(offer);
             wanted.add(name);
-            const card = cards.get(name) ?? createCard(offer, thumbnails);
+            const known = cards.get(name);
+            const card = known ?? createCard(offer, thumbnails);
+            if (!known) seen.observe(card.element);
             cards.set(name, card);
             card.show(store.document);
             return card.element;
@@ -102,7 +118,11 @@ export function createLibrary(session: Session, thumbnails: Thumbnails): Library
       ]),
       ...(sections.length === 0 ? [h('p', { class: 'hint' }, t('No material is called that.'))] : []),
     );
-    for (const name of cards.keys()) if (name.startsWith('scene') && !wanted.has(name)) cards.delete(name);
+    for (const [name, card] of cards) {
+      if (!name.startsWith('scene') || wanted.has(name)) continue;
+      seen.unobserve(card.element);
+      cards.delete(name);
+    }
     if (focused && !wanted.has(keyOfOffer(focused))) focused = null;
     mark();
   }

@@ -50,15 +50,11 @@ export class Thumbnails {
     return made;
   }
 
-  /** Pictures that nobody waits for any more need not be made. */
-  forget(isWanted: (job: ThumbnailJob) => boolean): void {
-    for (const waiting of this.#waiting.splice(0)) {
-      if (isWanted(waiting.request.job)) this.#waiting.push(waiting);
-      else {
-        this.#remembered.delete(waiting.key);
-        waiting.resolve(null);
-      }
-    }
+  /** Those of these keys that are not made yet come next: somebody looks at where they will be. */
+  hasten(keys: ReadonlySet<string>): void {
+    const all = this.#waiting.splice(0);
+    const isNear = ({ key }: Waiting) => keys.has(key);
+    this.#waiting.push(...all.filter(isNear), ...all.filter((waiting) => !isNear(waiting)));
   }
 
   async #find(key: string, keep: boolean): Promise<Pixels | null> {
