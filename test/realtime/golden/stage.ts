@@ -69,7 +69,7 @@ function withEffects(changes: Changes, more: Partial<Document> = {}): Document {
 }
 
 const on = { enabled: true };
-const lens = { ...stage.camera, fStop: 1.4, sensorHeight: 36, focusDistance: 4.4 };
+const lens = { ...stage.camera, fStop: 1.4, sensorHeight: 36, focusDistance: 2 };
 
 /** Every picture by its name; `moving` ones have the camera on its way. */
 export const goldenDocuments: Readonly<Record<string, () => Promise<Document> | Document>> = {
