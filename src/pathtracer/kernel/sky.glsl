@@ -30,6 +30,8 @@ vec3 mapRadiance(int sky, vec3 d) {
   int x1 = (x0 + 1) % width;
   int y0 = int(image.z) + clamp(int(base.y), 0, int(image.y) - 1) * width;
   int y1 = int(image.z) + clamp(int(base.y) + 1, 0, int(image.y) - 1) * width;
+  // A sky has a sharp horizon: between ground and sky there is nothing.
+  if (image.w != 0u && int(base.y) + 1 == int(image.y) / 2) t.y = d.y > 0.0 ? 1.0 : 0.0;
   vec3 low = mix(loadFloat4(y0 + x0).xyz, loadFloat4(y0 + x1).xyz, t.x);
   vec3 high = mix(loadFloat4(y1 + x0).xyz, loadFloat4(y1 + x1).xyz, t.x);
   return mix(low, high, t.y) * shape.x;

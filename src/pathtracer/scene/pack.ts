@@ -260,7 +260,7 @@ function writeSurroundings(header: Words, document: Document, boxes: readonly nu
   if (background.type === 'color') header.setFloats(HEADER.background, ...background.color);
   else header.setFloats(HEADER.background, 0, 0, 0, 1);
   const sun = sunOf(document.environment);
-  if (sun !== null) {
+  if (sun !== null && Math.max(...sun.luminance) > 0) {
     header.setFloats(HEADER.sunDirection, ...sun.direction, Math.sin(SUN_ANGULAR_RADIUS));
     header.setFloats(HEADER.sunLuminance, ...sun.luminance);
     header.setFloats(HEADER.sunLimb, ...LIMB_POWERS);

@@ -214,7 +214,8 @@ export function writeSky(
   places: SkyPlaces,
 ): number {
   const slot = words.allocate(SKY_SLOTS);
-  if (map !== null) words.setUints(slot, map.width, map.height, places.texels / 4, 0);
+  const hasHorizon = environment.source.type === 'sky';
+  if (map !== null) words.setUints(slot, map.width, map.height, places.texels / 4, Number(hasHorizon));
   words.setUints(slot + 1, distribution.width, distribution.height, places.marginal, places.conditional);
   const angle = MathUtils.degToRad(environment.rotation);
   words.setFloats(

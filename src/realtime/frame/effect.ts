@@ -1,7 +1,7 @@
 /** What an effect is to the frame: a definition that says when it is there, and what it draws when it is. */
 import type { PerspectiveCamera, RenderTarget, Scene, WebGPURenderer } from 'three/webgpu';
 import type { EffectName, Effects } from '../../scene/effects-schema.ts';
-import type { Camera, Document, Fog, View } from '../../scene/schema.ts';
+import type { Camera, Document, Environment, Fog, View } from '../../scene/schema.ts';
 import type { FrameInputs } from './inputs.ts';
 
 export type ViewSettings = Pick<View, 'exposure' | 'toneMapping' | 'resolutionScale'> &
@@ -15,6 +15,7 @@ export interface FrameSettings {
   readonly camera?: Camera;
   readonly fog?: Fog;
   readonly lights?: Document['lights'];
+  readonly environment?: Environment;
 }
 
 /** The settings of a frame that has effects. */

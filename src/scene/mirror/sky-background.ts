@@ -6,10 +6,12 @@ import {
   Fn,
   float,
   fwidth,
+  mix,
   normalWorldGeometry,
   step,
   texture,
   uniform,
+  vec2,
   vec3,
   vec4,
 } from 'three/tsl';
@@ -25,11 +27,13 @@ export class SkyBackground {
   readonly #direction = uniform(new Vector3(0, 1, 0));
   /** Of the disc's middle, divided by what the background is multiplied by. */
   readonly #luminance = uniform(new Vector3());
+  readonly #rows = uniform(1);
   readonly #node = this.#build();
 
   /** @param intensity by which the background is multiplied */
   show(image: DataTexture, sun: Sun | null, intensity: number): Node {
     this.#image.value = image;
+    this.#rows.value = image.image.height;
     if (sun !== null) {
       this.#direction.value.set(...sun.direction);
       this.#luminance.value.set(...sun.luminance).divideScalar(intensity);
@@ -47,7 +51,18 @@ export class SkyBackground {
       const turned = (backgroundRotation as unknown as Node<'mat3'>).mul(
         direction,
       ) as unknown as Node<'vec3'>;
-      const sky = this.#image.sample(equirectUV(turned)).level(float(0)).rgb;
+      // No mean of sky and ground at the horizon, which is sharp: each is read from its own rows.
+      const place = equirectUV(turned).toVar();
+      const half = float(0.5).div(this.#rows);
+      const read = (v: Node<'float'>) => this.#image.sample(vec2(place.x, v)).level(float(0)).rgb;
+      const above = float(0.5).add(
+        direction.y.div((fwidth(direction.y) as unknown as Node<'float'>).max(1e-6)),
+      );
+      const sky = mix(
+        read(place.y.min(float(0.5).sub(half)) as Node<'float'>),
+        read(place.y.max(float(0.5).add(half)) as Node<'float'>),
+        above.clamp(0, 1),
+      );
       // The sine of the angle to the sun's middle over that of its edge: more exact than a cosine close to 1.
       const sine = direction.cross(this.#direction).length().div(Math.sin(SUN_ANGULAR_RADIUS)).toVar();
       const inside = float(0.5)

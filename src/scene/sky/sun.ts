@@ -62,7 +62,7 @@ export const LIMB_POWERS = [0.61, 0.55, 0.465].map((micrometres) => -0.023 + 0.2
 
 const known = new WeakMap<Environment, Sun | null>();
 
-/** Null where no sky has one, or where it has set. */
+/** Null without a sky; dark once it has set. */
 export function sunOf(environment: Environment): Sun | null {
   let sun = known.get(environment);
   if (sun === undefined) {
@@ -78,7 +78,6 @@ function findSun(environment: Environment): Sun | null {
   const { azimuth, elevation } = sunAngles(source.sun);
   const scale = environmentScale(environment);
   const illuminance = sunIlluminance(source.turbidity, elevation).map((value) => value * scale) as Rgb;
-  if (Math.max(...illuminance) <= 0) return null;
   // The mean of the disc is that of mu^p, 1 / (1 + p / 2) of its middle.
   const solidAngle = Math.PI * Math.sin(SUN_ANGULAR_RADIUS) ** 2;
   const luminance = illuminance.map((value, c) => (value / solidAngle) * (1 + LIMB_POWERS[c]! / 2)) as Rgb;
@@ -94,8 +93,14 @@ export const SUN_ID = '(sun)';
 
 const withSuns = new WeakMap<Environment, { lights: Document['lights']; all: Document['lights'] }>();
 
-/** The document's lights and its sky's sun. The same object for the same lights and environment. */
-export function lightsOf({ lights, environment }: Document): Document['lights'] {
+/**
+ * The document's lights and its sky's sun, also when that has set: one light more or less would be other shaders. The same object
+ * for the same lights and environment.
+ */
+export function lightsOf({
+  lights,
+  environment,
+}: Pick<Document, 'lights' | 'environment'>): Document['lights'] {
   const before = withSuns.get(environment);
   if (before?.lights === lights) return before.all;
   const sun = sunOf(environment);
@@ -109,7 +114,7 @@ function lightOfSun({ direction, illuminance }: Sun): LightOf<'directional'> {
   return {
     ...lightDefaults.directional,
     name: 'Sun',
-    color: illuminance.map((value) => value / most) as Rgb,
+    color: most > 0 ? (illuminance.map((value) => value / most) as Rgb) : [1, 1, 1],
     illuminance: most,
     position: direction,
     target: [0, 0, 0],

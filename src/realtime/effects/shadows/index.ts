@@ -16,12 +16,13 @@ import type {
 } from 'three/webgpu';
 import type { LampShadow, LightShadows, PanelShadow } from '../../../material/light-shadows.ts';
 import type { Effects } from '../../../scene/effects-schema.ts';
+import { lightsOf } from '../../../scene/sky/sun.ts';
 import type { Effect, EffectDefinition, EffectSettings } from '../../frame/effect.ts';
 import type { FrameInputs, ShadowMaps } from '../../frame/inputs.ts';
 import { ShadowAtlas } from './atlas.ts';
 import { Casters } from './casters.ts';
 import { lampFunction, panelBlockerFunction, panelSeenFunction } from './central-lookup.ts';
-import { type Place, PlacedLight, shapeOf, shapesOf, squares } from './lamps.ts';
+import { type Place, PlacedLight, type Shape, shapeOf, shapesOf, squares } from './lamps.ts';
 import { cascadeFunction, sunFunction } from './parallel-lookup.ts';
 import { Rows, type Tile } from './rows.ts';
 
@@ -37,10 +38,11 @@ class Shadows implements Effect {
   readonly #inputs: FrameInputs;
   readonly #maps: ShadowMaps;
 
-  constructor(inputs: FrameInputs, { effects, lights = {} }: EffectSettings) {
+  constructor(inputs: FrameInputs, settings: EffectSettings) {
+    const { effects } = settings;
     this.#inputs = inputs;
     this.#settings = effects.shadows;
-    const shapes = shapesOf(lights);
+    const shapes = shapesIn(settings);
     const sizes = shapes.map((shape) => squares(shape, effects.shadows));
     this.#atlas = new ShadowAtlas(sizes.flat());
     this.#rows = new Rows(shapes.length);
@@ -183,11 +185,17 @@ function mapTexture(map: Texture): TextureNode {
 type Call = (...args: readonly unknown[]) => Node<'float'>;
 type Functions = Readonly<Record<'lamp' | 'sun' | 'cascade' | 'blocker' | 'seen', Call>>;
 
+/** A sky's sun is a light like those that are named. */
+const shapesIn = ({ lights = {}, environment }: EffectSettings): Shape[] =>
+  shapesOf(environment ? lightsOf({ lights, environment }) : lights);
+
 export const shadows: EffectDefinition = {
   name: 'shadows',
-  isOn: ({ effects, lights = {} }) => effects.shadows.enabled && shapesOf(lights).length > 0,
-  variant: ({ effects: { shadows: settings }, lights = {} }) =>
-    [settings.resolution, settings.cascades, ...shapesOf(lights).sort()].join(' '),
+  isOn: (settings) => settings.effects.shadows.enabled && shapesIn(settings).length > 0,
+  variant(settings) {
+    const { resolution, cascades } = settings.effects.shadows;
+    return [resolution, cascades, ...shapesIn(settings).sort()].join(' ');
+  },
   needsSurfaces: false,
   build: (inputs, settings) => new Shadows(inputs, settings),
 };
