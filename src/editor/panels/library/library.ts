@@ -252,7 +252,7 @@ export function createLibrary(session: Session, thumbnails: Thumbnails): Library
   thumbnails.onProgress = (done, left) => {
     if (left === 0) begun = done;
     progress.hidden = left < 4;
-    progress.value = (done - begun) / (done - begun + left);
+    progress.value = left === 0 ? 1 : (done - begun) / (done - begun + left);
   };
 
   return {
