@@ -17,6 +17,7 @@ import type { EditorState } from '../state.ts';
 import { h } from '../ui/dom.ts';
 import { toastError } from '../ui/toast.ts';
 import { type CameraControl, createCameraControl } from './camera.ts';
+import { installEnvironmentDrag } from './environment-drag.ts';
 import { FrameLoop } from './frame-loop.ts';
 import { gpuFinished } from './gpu-finish.ts';
 import { Hands } from './hands.ts';
@@ -87,6 +88,7 @@ export class Viewport {
     this.#camera = createCameraControl(mirror.camera, canvas, session.store, () => this.#redraw());
     this.#camera.follow(session.store.document);
     this.hands = new Hands({ element, canvas, session, mirror, camera: this.#camera });
+    installEnvironmentDrag({ element, canvas, session, holdCamera: (held) => this.#camera.hold(held) });
     this.#tracingView = createPathTracingView(session, this.tracing, () => this.#readPair());
     this.#show = createShowView(session);
     canvas.after(this.#tracingView.element, this.#show.element);
