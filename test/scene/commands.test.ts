@@ -1,48 +1,28 @@
 import fc from 'fast-check';
 import { beforeEach, describe, expect, test, vi } from 'vitest';
 import { loadScene } from '../../scenes/index.ts';
-import {
-  addLight,
-  addObject,
-  putAsset,
-  removeUnused,
-  rename,
-  setField,
-  setGeometryType,
-  setLightType,
-} from '../../src/scene/commands.ts';
+import { addLight, addObject, setField, setGeometryType, setLightType } from '../../src/scene/commands.ts';
 import { createDocument, parseDocument, serializeDocument } from '../../src/scene/document.ts';
 import { DocumentError } from '../../src/scene/error.ts';
-import { addableGeometries, geometryDefaults } from '../../src/scene/geometry-schema.ts';
-import { lightTypes } from '../../src/scene/light-schema.ts';
+import { geometryDefaults } from '../../src/scene/geometry-schema.ts';
 import {
   addMaterial,
   addModel,
-  assignMaterial,
   removeModel,
   setMaterialModel,
   setParameter,
   setTexture,
 } from '../../src/scene/material-commands.ts';
-import { materialMaps, textureRef } from '../../src/scene/material-schema.ts';
-import { findModel, modelNames } from '../../src/scene/models.ts';
-import { duplicateEntities, removeEntities } from '../../src/scene/selection-commands.ts';
+import { textureRef } from '../../src/scene/material-schema.ts';
+import { modelNames } from '../../src/scene/models.ts';
+import { removeEntities } from '../../src/scene/selection-commands.ts';
 import { DocumentStore } from '../../src/scene/store.ts';
+import { act, everyCommand, flat, type SceneCommand } from './every-command.ts';
 
 let store: DocumentStore;
 beforeEach(() => {
   store = new DocumentStore(createDocument());
 });
-
-const flat = `analytic
-# Flat: the same in every direction.
-::begin parameters
-float level 0 1 .5
-::end parameters
-::begin shader
-vec3 BRDF(vec3 L, vec3 V, vec3 N, vec3 X, vec3 Y) { return vec3(level); }
-::end shader
-`;
 
 describe('lights', () => {
   test('get free ids and names', () => {
@@ -225,96 +205,20 @@ describe('DocumentStore', () => {
   });
 });
 
-/** What a person could do next, chosen by numbers; what does not apply to the document is skipped. */
-type Action = (store: DocumentStore, pick: <T>(from: readonly T[]) => T | undefined) => void;
-
-const onOne =
-  (
-    collection: 'lights' | 'objects' | 'materials',
-    action: (store: DocumentStore, id: string) => void,
-  ): Action =>
-  (target, pick) => {
-    const id = pick(Object.keys(target.document[collection]));
-    if (id !== undefined) action(target, id);
-  };
-
-const kinds = ['lights', 'objects', 'materials'] as const;
-
-const PICTURES = ['AAAA', 'AQID', 'BBBB'];
-
-const parametersOf = (target: DocumentStore, id: string) =>
-  findModel(target.document, target.document.materials[id]?.model ?? '')?.parameters ?? [];
-
-const actions: readonly Action[] = [
-  (target, pick) => void addLight(target, pick(lightTypes) ?? 'point'),
-  (target, pick) => void addObject(target, pick(addableGeometries) ?? 'box'),
-  (target, pick) => void addMaterial(target, pick(modelNames(target.document))),
-  (target) => void addModel(target, 'flat.brdf', flat),
-  ...kinds.map((kind) => onOne(kind, (target, id) => removeEntities(target, [{ kind, id }]))),
-  (target) => removeUnused(target),
-  (target, pick) =>
-    target.edit('Add picture', (draft) => {
-      putAsset(draft, 'dots.png', 'image/png', pick(PICTURES) ?? '');
-    }),
-  (target, pick) =>
-    onOne('materials', (t, id) => {
-      const [parameter, asset] = [pick(parametersOf(t, id)), pick(Object.keys(t.document.assets))];
-      if (parameter && asset) setTexture(t, id, parameter.name, textureRef(asset));
-    })(target, pick),
-  (target, pick) =>
-    onOne('materials', (t, id) => {
-      const name = pick(Object.keys(t.document.materials[id]?.textures ?? {}));
-      if (name) setTexture(t, id, name, null);
-    })(target, pick),
-  (target, pick) =>
-    onOne('materials', (t, id) => {
-      const parameter = pick(parametersOf(t, id));
-      const value = pick([0.25, -0, 1e-7, 3]) ?? 0;
-      const values = { float: value, color: [value, 1, 0.5], bool: value > 0.5 } as const;
-      if (parameter) setParameter(t, id, parameter.name, values[parameter.type]);
-    })(target, pick),
-  (target, pick) =>
-    onOne('materials', (t, id) => {
-      const name = pick(Object.keys(t.document.materials[id]?.parameters ?? {}));
-      if (name) setParameter(t, id, name, null);
-    })(target, pick),
-  (target, pick) =>
-    onOne('materials', (t, id) => setField(t, ['materials', id, pick(materialMaps) ?? 'normalMap'], null))(
-      target,
-      pick,
-    ),
-  ...kinds.map((kind) => onOne(kind, (target, id) => void duplicateEntities(target, [{ kind, id }]))),
-  onOne('objects', (target, id) => rename(target, 'objects', id, 'Renamed')),
-  onOne('objects', (target, id) => setField(target, ['objects', id, 'position', 1], 2)),
-  (target, pick) =>
-    onOne('objects', (t, id) => setGeometryType(t, id, pick(addableGeometries) ?? 'box'))(target, pick),
-  (target, pick) => onOne('lights', (t, id) => setLightType(t, id, pick(lightTypes) ?? 'spot'))(target, pick),
-  (target, pick) =>
-    onOne('materials', (t, id) => setMaterialModel(t, id, pick(modelNames(t.document)) ?? 'lambert'))(
-      target,
-      pick,
-    ),
-  (target, pick) =>
-    onOne('materials', (t, id) => {
-      const objects = pick(Object.keys(t.document.objects));
-      if (objects !== undefined) assignMaterial(t, [objects], id);
-    })(target, pick),
+const steps: readonly SceneCommand[] = [
   (target) => target.undo(),
   (target) => target.undo(),
   (target) => target.redo(),
 ];
 
-/** What was done and undone: 16 actions, each with the numbers that choose what it is done to. */
+/** What was done and undone: 16 commands, each with the numbers that choose what it is done to. */
 const histories = fc.array(
-  fc.tuple(fc.nat(actions.length - 1), fc.array(fc.nat(), { minLength: 3, maxLength: 3 })),
+  fc.tuple(
+    fc.nat(everyCommand.length + steps.length - 1),
+    fc.array(fc.nat(), { minLength: 3, maxLength: 3 }),
+  ),
   { maxLength: 16 },
 );
-
-function act(target: DocumentStore, action: number, numbers: readonly number[]): void {
-  const left = [...numbers];
-  actions[action]?.(target, (from) => from[(left.pop() ?? 0) % Math.max(from.length, 1)]);
-  target.endMerge();
-}
 
 test('whatever is done and undone, a file holds the document, and saving it again gives the same bytes', async () => {
   const scene = await loadScene('thesis');
@@ -322,7 +226,7 @@ test('whatever is done and undone, a file holds the document, and saving it agai
     fc.property(histories, (history) => {
       const target = new DocumentStore(scene);
       for (const [action, numbers] of history) {
-        act(target, action, numbers);
+        act(target, [...everyCommand, ...steps][action], numbers);
         const text = serializeDocument(target.document);
         const opened = parseDocument(text, 'again.json');
         expect(serializeDocument(opened)).toBe(text);
@@ -344,9 +248,9 @@ test('whatever is done, undo and redo bring back the exact documents', async () 
       const texts = [serializeDocument(scene)];
       for (const [action, numbers] of history) {
         // Undone and redone below.
-        if (action >= actions.length - 3) continue;
+        if (action >= everyCommand.length) continue;
         const before = target.document;
-        act(target, action, numbers);
+        act(target, [...everyCommand, ...steps][action], numbers);
         if (target.document !== before) texts.push(serializeDocument(target.document));
       }
       // The result is a document that a file can hold.
