@@ -25,7 +25,7 @@ import {
   handleAt,
   handlesOf,
 } from './handles.ts';
-import { frameOf, type Mover, moversOf } from './movers.ts';
+import { canBe, frameOf, type Mover, moversOf } from './movers.ts';
 import { type Change, changed, handStep } from './placed.ts';
 import { readout } from './readout.ts';
 import { aimAt, type Target, targetsOf } from './targets.ts';
@@ -40,7 +40,7 @@ export interface GizmoOptions {
   holdCamera(held: boolean): void;
   /** The next click has another meaning. */
   isTaken(): boolean;
-  /** A handle was touched and not dragged. */
+  /** The middle was touched and not dragged. */
   onClick(event: PointerEvent): void;
 }
 
@@ -67,7 +67,6 @@ interface Held {
   readonly drag: Drag | null;
   readonly start: Pointer;
   readonly merge: string;
-  readonly down: PointerEvent;
   last: { readonly pointer: Pointer; readonly ctrl: boolean };
   change: Change | null;
   moved: boolean;
@@ -150,7 +149,7 @@ export class Gizmo {
     if (tool === 'select' || tool === 'box') return null;
     const movers = moversOf(session.store.document, selected);
     const frame = frameOf(movers, { tool, space, pivot });
-    if (!frame) return null;
+    if (!frame || !canBe(tool, movers)) return null;
     // While it is turned, the gizmo stays as it was taken hold of.
     const axes = tool === 'rotate' ? (this.#held?.stand?.frame.axes ?? frame.axes) : frame.axes;
     const view = gizmoView(mirror.camera, canvas.clientWidth, canvas.clientHeight, frame.pivot);
@@ -216,7 +215,6 @@ export class Gizmo {
       drag,
       start,
       merge: newGesture(),
-      down: event,
       last: { pointer: start, ctrl: event.ctrlKey || event.metaKey },
       change: null,
       moved: false,
@@ -285,7 +283,8 @@ export class Gizmo {
     event.stopImmediatePropagation();
     this.#release();
     this.#options.session.store.endMerge();
-    if (!held.moved) this.#options.onClick(event);
+    // The middle covers what it moves; the other handles are nobody else's.
+    if (!held.moved && 'handle' in held.grip && held.grip.handle === 'centre') this.#options.onClick(event);
   }
 
   #abandon(): void {

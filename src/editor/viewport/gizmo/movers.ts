@@ -43,6 +43,14 @@ function lightAxes(light: StandingLight): Axes {
   return 'target' in light ? aimedAxes(light.position, light.target) : worldAxes();
 }
 
+/** A point that is alone has nothing that turns or scales. */
+export function canBe(tool: GizmoTool, movers: readonly Mover[]): boolean {
+  if (tool === 'move' || movers.length > 1) return true;
+  return movers.some(({ placed: { rotation, target, scale, width } }) =>
+    tool === 'rotate' ? (rotation ?? target) !== undefined : (scale ?? width) !== undefined,
+  );
+}
+
 export interface FrameOptions {
   readonly tool: GizmoTool;
   readonly space: 'world' | 'local';

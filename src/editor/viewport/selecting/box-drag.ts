@@ -81,7 +81,8 @@ export class BoxDrag {
       event.stopImmediatePropagation();
       return;
     }
-    const wanted = event.shiftKey || session.state.value.tool === 'box';
+    // With Alt a drag turns the environment.
+    const wanted = !event.altKey && (event.shiftKey || session.state.value.tool === 'box');
     if (event.button !== 0 || !wanted || isTaken()) return;
     event.stopImmediatePropagation();
     if (document.activeElement instanceof HTMLElement) document.activeElement.blur();
