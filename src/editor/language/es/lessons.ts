@@ -24,6 +24,6 @@ export const lessons: Catalogue = {
   '{step} of {count}': '{step} de {count}',
   Do: 'Haz',
   See: 'Mira',
-  'Whole model again': 'Otra vez el modelo entero',
+  'As before': 'Como antes',
   'The picture shows it alone.': 'La imagen lo muestra a solas.',
 };

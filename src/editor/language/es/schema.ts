@@ -169,6 +169,7 @@ export const schema: Catalogue = {
   Rotation: 'Rotación',
   'Directions per pixel from which its light is gathered':
     'Direcciones por píxel desde las que se recoge su luz',
+  Transparent: 'Transparente',
   'Colour behind the scene, linear Rec. 709': 'Color detrás de la escena, Rec. 709 lineal',
   'How far the environment is out of focus': 'Cuánto está desenfocado el entorno',
   Blur: 'Desenfoque',
@@ -307,7 +308,6 @@ export const schema: Catalogue = {
     'Opaco; máscara: está o no está; mezcla: deja ver a través',
   Opaque: 'Opaco',
   Mask: 'Máscara',
-  Blend: 'Mezcla',
   'Alpha mode': 'Modo de alfa',
   'With mask: what is less opaque than this is not there':
     'Con máscara: lo que es menos opaco que esto no está',
@@ -417,7 +417,6 @@ export const schema: Catalogue = {
   'The most radiance that a sample of indirect light brings, against bright specks; loses light; 0 does not bound it':
     'La mayor radiancia que aporta una muestra de luz indirecta, contra las motas brillantes; pierde luz; 0 no la limita',
   'Chooses the random numbers': 'Elige los números aleatorios',
-  Seed: 'Semilla',
   Red: 'Rojo',
   Green: 'Verde',
   Blue: 'Azul',

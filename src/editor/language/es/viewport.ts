@@ -88,6 +88,8 @@ export const viewport: Catalogue = {
   Pause: 'Pausa',
   'The camera stays where it was': 'La cámara se queda donde estaba',
   'Move camera': 'Mover la cámara',
+  'Environment {degrees}°': 'Entorno {degrees}°',
+  'Turn the environment': 'Girar el entorno',
   'Nothing is there to focus on': 'Ahí no hay nada que enfocar',
   'The distance that is in focus is as it was.': 'La distancia enfocada es la que era.',
   'the picture': 'la imagen',

@@ -1,5 +1,7 @@
 /** The actions of the page by their subjects, and the keys that belong to fields and menus. */
+
 import type { Action } from '../../actions/action.ts';
+import { keysText } from '../../actions/keys.ts';
 import { t } from '../../language/language.ts';
 
 /** What is before the point of an action's id. */
@@ -43,17 +45,20 @@ export function subjectsOf(actions: readonly Action[]): Subject[] {
   return [...subjects].map(([title, list]) => ({ title, actions: list }));
 }
 
-/** Keys of what has the focus, which stay as they are. */
+/** Keys of what has the focus, which stay as they are; as the person's own keyboard has them. */
 export function fixedKeys(): { readonly title: string; readonly keys: string }[] {
   return [
     { title: t('Number: a step more or less; Shift finer, Alt coarser'), keys: '↑ ↓' },
     { title: t('Slider: a hundredth; Shift finer'), keys: '← → ↑ ↓' },
-    { title: t('Slider: a tenth, and to either end'), keys: 'PageUp PageDown Home End' },
+    {
+      title: t('Slider: a tenth, and to either end'),
+      keys: ['PageUp', 'PageDown', 'Home', 'End'].map((keys) => keysText(keys)).join(' '),
+    },
     {
       title: t('Menus: entries, the menus beside, the entry that begins with a letter'),
       keys: '↑ ↓ ← → A–Z',
     },
     { title: t('Leave a menu, a dialog or a field as it was'), keys: 'Esc' },
-    { title: t('The next control, or the one before'), keys: 'Tab Shift+Tab' },
+    { title: t('The next control, or the one before'), keys: `Tab ${keysText('Shift+Tab')}` },
   ];
 }
