@@ -64,9 +64,10 @@ export class FreeNames {
   #free(base: string): string {
     if (!this.#taken.has(base) && base.length <= 200) return base;
     // "Point light 2" is followed by "Point light 3", not by "Point light 2 2".
-    const root = base.replace(/ \d{1,6}$/, '').slice(0, 180);
-    if (!this.#taken.has(root)) return root;
-    let n = this.#next.get(root) ?? 2;
+    const number = / \d{1,6}$/.exec(base)?.[0];
+    const root = base.slice(0, base.length - (number?.length ?? 0)).slice(0, 180);
+    if (number === undefined && !this.#taken.has(root)) return root;
+    let n = Math.max(this.#next.get(root) ?? 2, Number(number ?? 0) + 1);
     while (this.#taken.has(`${root} ${n}`)) n += 1;
     this.#next.set(root, n + 1);
     return `${root} ${n}`;

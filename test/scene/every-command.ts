@@ -66,8 +66,8 @@ const PICTURES = ['AAAA', 'AQID', 'BBBB'];
 const parametersOf = (target: DocumentStore, id: string) =>
   findModel(target.document, target.document.materials[id]?.model ?? '')?.parameters ?? [];
 
-/** Every command of src/scene. */
-export const everyCommand: readonly SceneCommand[] = [
+/** What changes the things in the scene, and nothing of how they are drawn. */
+export const commandsOfScene: readonly SceneCommand[] = [
   (target, pick) => void addLight(target, pick(lightTypes) ?? 'point'),
   (target, pick) => void addObject(target, pick(addableGeometries) ?? 'box'),
   (target, pick) => void addMaterial(target, pick(modelNames(target.document))),
@@ -153,6 +153,11 @@ export const everyCommand: readonly SceneCommand[] = [
         placement: { position: [1, pick([0, 2, -3]) ?? 0, 3] },
       })),
     ),
+];
+
+/** Every command of src/scene. */
+export const everyCommand: readonly SceneCommand[] = [
+  ...commandsOfScene,
   (target, pick) => applyPreset(target, pick(presetNames) ?? 'low'),
 ];
 
