@@ -3,7 +3,7 @@
  * the hand lets go the document gets the new pose, and drags in a row are one undo step.
  */
 import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
-import { type Box3, type PerspectiveCamera, Sphere, Vector3 } from 'three/webgpu';
+import { type Box3, type PerspectiveCamera, Sphere, Spherical, Vector3 } from 'three/webgpu';
 import type { Camera, Document } from '../../scene/schema.ts';
 import type { DocumentStore } from '../../scene/store.ts';
 import { attempt } from '../commands.ts';
@@ -19,12 +19,26 @@ export interface CameraControl {
   focus(box: Box3, label: string): void;
   /** Looks at the same point from another side. @param from the direction in which the camera then is */
   lookFrom(from: Vector3, label: string): void;
+  /** One step, as by a key. */
+  step(by: CameraStep): void;
   /** While something else is dragged, the camera is not. */
   hold(held: boolean): void;
   dispose(): void;
 }
 
+/** How the camera goes round what it looks at. */
+export interface CameraStep {
+  /** To the right, radians. */
+  readonly right?: number;
+  /** Towards the zenith, radians. */
+  readonly up?: number;
+  /** The distance becomes so many times as large. */
+  readonly distance?: number;
+}
+
 const MERGE = 'camera in the viewport';
+/** What it keeps from the zenith and the nadir, where it would not know which way is up; radians. */
+const LEAST_POLAR = 1e-3;
 /** Of a move from one pose to another. */
 const MOVE_MS = 200;
 
@@ -113,6 +127,16 @@ export function createCameraControl(
       const target = controls.target.clone();
       const distance = camera.position.distanceTo(target);
       goTo({ position: target.clone().addScaledVector(from, distance), target }, label);
+    },
+    step({ right = 0, up = 0, distance = 1 }) {
+      stop();
+      const target = controls.target.clone();
+      const side = new Spherical().setFromVector3(camera.position.clone().sub(target));
+      side.theta += right;
+      side.phi = Math.max(LEAST_POLAR, Math.min(Math.PI - LEAST_POLAR, side.phi - up));
+      side.radius *= distance;
+      set({ position: new Vector3().setFromSpherical(side).add(target), target });
+      write(t('Move camera'));
     },
     hold(held) {
       controls.enabled = !held;

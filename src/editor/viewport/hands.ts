@@ -3,7 +3,7 @@ import type { PerspectiveCamera, Vector3 } from 'three/webgpu';
 import type { SceneMirror } from '../../scene/mirror.ts';
 import { plural, t } from '../language/language.ts';
 import type { Session } from '../session.ts';
-import type { CameraControl } from './camera.ts';
+import type { CameraControl, CameraStep } from './camera.ts';
 import { FocusPicking } from './focus-picking.ts';
 import { Gizmo } from './gizmo/gizmo.ts';
 import { type AxesGizmo, createAxesGizmo } from './navigation/axes-gizmo.ts';
@@ -126,6 +126,11 @@ export class Hands {
   frameAll(): void {
     const { session, mirror, camera } = this.#options;
     camera.focus(boundsOf(session.store.document, mirror, []), t('Look at everything'));
+  }
+
+  /** Goes round what is looked at, or nearer to it. */
+  step(by: CameraStep): void {
+    this.#options.camera.step(by);
   }
 
   /** Looks from that side; from there already, from the other side. */

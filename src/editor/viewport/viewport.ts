@@ -87,6 +87,7 @@ export class Viewport {
     });
     this.#camera = createCameraControl(mirror.camera, canvas, session.store, () => this.#redraw());
     this.#camera.follow(session.store.document);
+    this.#showAlpha(session.store.document);
     this.hands = new Hands({ element, canvas, session, mirror, camera: this.#camera });
     installEnvironmentDrag({ element, canvas, session, holdCamera: (held) => this.#camera.hold(held) });
     this.#tracingView = createPathTracingView(session, this.tracing, () => this.#readPair());
@@ -175,6 +176,7 @@ export class Viewport {
   #follow(document: Document, previous: Document): void {
     const { mirror } = this.#options;
     mirror.apply(document);
+    this.#showAlpha(document);
     if (document.camera !== previous.camera) this.#camera.follow(document);
     if (document.objects !== previous.objects || document.assets !== previous.assets) this.refresh();
     else this.#redraw();
@@ -187,6 +189,11 @@ export class Viewport {
       // A geometry or an image may have come only now.
       if (this.#options.session.store.document === document) this.refresh();
     });
+  }
+
+  /** What is seen through a transparent background is the page's, and says that it is. */
+  #showAlpha({ background }: Document): void {
+    this.#options.canvas.classList.toggle('transparent', background.type === 'transparent');
   }
 
   /** An observer reports once at its start, when there is nothing new. */

@@ -2,6 +2,7 @@
 import { Matrix4, PerspectiveCamera, Quaternion, Ray, Raycaster, Vector2, Vector3 } from 'three/webgpu';
 import { describe, expect, it } from 'vitest';
 import { createRandom } from '../../../src/analysis/random.ts';
+import type { Entity } from '../../../src/editor/state.ts';
 import { gizmoView } from '../../../src/editor/viewport/gizmo/camera-view.ts';
 import { type Pointer, startDrag } from '../../../src/editor/viewport/gizmo/drag.ts';
 import {
@@ -11,7 +12,8 @@ import {
   turnOf,
   worldAxes,
 } from '../../../src/editor/viewport/gizmo/frame.ts';
-import { handleAt, handlesOf, SIZES } from '../../../src/editor/viewport/gizmo/handles.ts';
+import { type GizmoTool, handleAt, handlesOf, SIZES } from '../../../src/editor/viewport/gizmo/handles.ts';
+import { canBe, frameOf, moversOf } from '../../../src/editor/viewport/gizmo/movers.ts';
 import {
   changed,
   handStep,
@@ -23,6 +25,9 @@ import { alongLine, angleAbout, onPlane, unwrapped } from '../../../src/editor/v
 import { readout } from '../../../src/editor/viewport/gizmo/readout.ts';
 import { nearestRotation } from '../../../src/editor/viewport/gizmo/rotation.ts';
 import type { Pixel } from '../../../src/editor/viewport/projector.ts';
+import { addLight, addObject } from '../../../src/scene/commands.ts';
+import { createDocument } from '../../../src/scene/document.ts';
+import { DocumentStore } from '../../../src/scene/store.ts';
 
 const random = createRandom(7);
 const between = (low: number, high: number) => low + (high - low) * random();
@@ -270,6 +275,58 @@ describe('a drag', () => {
     const drag = startDrag('scale', 'x', level, view, over(camera, grabbed));
     const change = drag(over(camera, level.pivot.clone().add(new Vector3(-1, 0, 0))), false);
     expect(change?.type === 'scale' && change.factors).toEqual([0.01, 1, 1]);
+  });
+});
+
+describe('what is moved', () => {
+  const store = new DocumentStore(createDocument());
+  const [box, ball] = [addObject(store, 'box'), addObject(store, 'sphere')];
+  const [lamp, sun] = [addLight(store, 'point'), addLight(store, 'directional')];
+  const ambient = addLight(store, 'ambient');
+  store.edit('place', ({ objects, lights }) => {
+    Object.assign(objects[box] as object, { position: [0, 0, 0], rotation: [0, 90, 0] });
+    Object.assign(objects[ball] as object, { position: [4, 0, 2] });
+    Object.assign(lights[lamp] as object, { position: [2, 3, 1] });
+  });
+  const objects = [box, ball].map((id) => ({ kind: 'objects', id }) as const);
+  const lights = [lamp, sun, ambient].map((id) => ({ kind: 'lights', id }) as const);
+  const material = { kind: 'materials', id: Object.keys(store.document.materials)[0] as string } as const;
+  const options = { tool: 'move', space: 'world', pivot: 'middle' } as const;
+
+  it('is what stands somewhere and is not locked', () => {
+    const all = [...objects, ...lights, material];
+    expect(moversOf(store.document, all).map(({ id }) => id)).toEqual([box, ball, lamp, sun]);
+    store.edit('lock', (draft) => {
+      Object.assign(draft.objects[ball] as object, { locked: true });
+    });
+    expect(moversOf(store.document, all).map(({ id }) => id)).toEqual([box, lamp, sun]);
+    store.undo();
+  });
+
+  it('has its gizmo in the middle, or at the last', () => {
+    const movers = moversOf(store.document, objects);
+    expect(frameOf(movers, options)?.pivot.toArray()).toEqual([2, 0, 1]);
+    expect(frameOf(movers, { ...options, pivot: 'last' })?.pivot.toArray()).toEqual([4, 0, 2]);
+    expect(frameOf([], options)).toBeNull();
+  });
+
+  it('has its own axes, or the world’s; a scale of one thing is along its own', () => {
+    const movers = moversOf(store.document, objects.slice(0, 1));
+    const x = (more: object) =>
+      frameOf(movers, { ...options, ...more })
+        ?.axes[0].toArray()
+        .map(Math.round);
+    expect(x({})).toEqual([1, 0, 0]);
+    expect(x({ space: 'local' })).toEqual([0, 0, -1]);
+    expect(x({ tool: 'scale' })).toEqual([0, 0, -1]);
+  });
+
+  it('can be turned and scaled unless it is a point', () => {
+    const can = (tool: GizmoTool, ...refs: Entity[]) => canBe(tool, moversOf(store.document, refs));
+    const [point, directional] = lights as [Entity, Entity, Entity];
+    expect([can('move', point), can('rotate', point), can('scale', point)]).toEqual([true, false, false]);
+    expect([can('rotate', directional), can('scale', directional)]).toEqual([true, false]);
+    expect(can('scale', point, directional)).toBe(true);
   });
 });
 

@@ -8,26 +8,17 @@
 import type { SceneMirror } from '../../../scene/mirror.ts';
 import { type PlacedEntity, place } from '../../../scene/transform-commands.ts';
 import { attempt } from '../../commands.ts';
-import { plural, t } from '../../language/language.ts';
+import { t } from '../../language/language.ts';
 import type { Session } from '../../session.ts';
 import { newGesture } from '../../ui/gesture.ts';
 import type { Pixel } from '../projector.ts';
-import { gizmoView, pointerRay } from './camera-view.ts';
+import { pointerRay } from './camera-view.ts';
 import { type Drag, type Pointer, startDrag } from './drag.ts';
 import { drawGizmo, drawTarget } from './draw.ts';
-import type { Frame } from './frame.ts';
-import { dragGuides } from './guides.ts';
-import {
-  type GizmoTool,
-  type GizmoView,
-  type Handle,
-  type HandleId,
-  handleAt,
-  handlesOf,
-} from './handles.ts';
-import { canBe, frameOf, type Mover, moversOf } from './movers.ts';
+import { type HandleId, handleAt } from './handles.ts';
+import { pictureOf } from './picture.ts';
 import { type Change, changed, handStep } from './placed.ts';
-import { readout } from './readout.ts';
+import { labelOf, type Stand, Stands } from './stand.ts';
 import { aimAt, type Target, targetsOf } from './targets.ts';
 
 export interface GizmoOptions {
@@ -52,14 +43,6 @@ const DRAG_PX = 3;
 /** What the pointer is on: a handle, or the target of a light. */
 type Grip = { readonly handle: HandleId } | { readonly target: Target };
 
-interface Stand {
-  readonly movers: readonly Mover[];
-  readonly frame: Frame;
-  readonly tool: GizmoTool;
-  readonly view: GizmoView;
-  readonly handles: readonly Handle[];
-}
-
 interface Held {
   readonly pointerId: number;
   readonly grip: Grip;
@@ -74,11 +57,13 @@ interface Held {
 
 export class Gizmo {
   readonly #options: GizmoOptions;
+  readonly #stands: Stands;
   #hovered: Grip | null = null;
   #held: Held | null = null;
 
   constructor(options: GizmoOptions) {
     this.#options = options;
+    this.#stands = new Stands(options);
     const { canvas, session } = options;
     // Before the controls of the camera hear of it.
     const capture = { capture: true };
@@ -95,11 +80,6 @@ export class Gizmo {
     });
   }
 
-  /** Whether something is being dragged. */
-  get busy(): boolean {
-    return this.#held !== null;
-  }
-
   draw(context: CanvasRenderingContext2D): void {
     const held = this.#held;
     const grip = held?.grip ?? this.#hovered;
@@ -109,52 +89,18 @@ export class Gizmo {
     }
     const stand = this.#stand();
     if (!stand || (held && 'target' in held.grip)) return;
-    const handle = (of: Grip | null | undefined) => (of && 'handle' in of ? of.handle : null);
-    const active = held?.moved ? handle(held.grip) : null;
-    const from = held?.stand;
-    const guides =
-      active && from && held.change
-        ? dragGuides(
-            active,
-            held.change,
-            {
-              frame: {
-                ...from.frame,
-                pivot: held.change.type === 'move' ? stand.frame.pivot : from.frame.pivot,
-              },
-              view: stand.view,
-            },
-            held.start,
-          )
-        : { guides: [], sector: [] };
-    drawGizmo(context, {
-      tool: stand.tool,
-      handles: stand.handles,
-      hovered: handle(grip),
-      active,
-      ...guides,
-      text:
-        active && from && held.change
-          ? {
-              at: held.last.pointer.at,
-              value: readout(active, held.change, from.frame, handStep(from.view.pixel)),
-            }
-          : null,
-    });
+    const handle = grip && 'handle' in grip ? grip.handle : null;
+    const dragged =
+      handle !== null && held?.stand && held.change
+        ? { handle, change: held.change, from: held.stand, start: held.start, at: held.last.pointer.at }
+        : null;
+    drawGizmo(context, pictureOf(stand, handle, dragged));
   }
 
   #stand(): Stand | null {
-    const { session, mirror, canvas } = this.#options;
-    const { tool, space, pivot, selected } = session.state.value;
-    if (tool === 'select' || tool === 'box') return null;
-    const movers = moversOf(session.store.document, selected);
-    const frame = frameOf(movers, { tool, space, pivot });
-    if (!frame || !canBe(tool, movers)) return null;
     // While it is turned, the gizmo stays as it was taken hold of.
-    const axes = tool === 'rotate' ? (this.#held?.stand?.frame.axes ?? frame.axes) : frame.axes;
-    const view = gizmoView(mirror.camera, canvas.clientWidth, canvas.clientHeight, frame.pivot);
-    const standing = { ...frame, axes };
-    return { movers, frame: standing, tool, view, handles: handlesOf(tool, standing, view) };
+    const held = this.#held?.stand;
+    return this.#stands.of(held?.tool === 'rotate' ? held.frame.axes : null);
   }
 
   #targets(): Target[] {
@@ -313,12 +259,4 @@ export class Gizmo {
       if (held.moved) this.#apply(held);
     }
   }
-}
-
-function labelOf({ tool, movers }: Stand): string {
-  const name = movers[0]?.name ?? '';
-  const count = movers.length;
-  if (tool === 'move') return plural(count, 'Move {name}', 'Move {count} things', { name });
-  if (tool === 'rotate') return plural(count, 'Rotate {name}', 'Rotate {count} things', { name });
-  return plural(count, 'Scale {name}', 'Scale {count} things', { name });
 }
