@@ -64,7 +64,8 @@ export async function openFrames(document: Document, options: FrameOptions): Pro
       await renderer.settleExposure(view);
       const attributes = attributesFor(renderer.exposure(view));
       if (format === 'png') return encodePng(await renderer.readImage(view), width, height, attributes);
-      return encodeExr({ ...exrImage(await renderer.readRadiance()), attributes });
+      const names = document.background.type === 'transparent' ? 'RGBA' : 'RGB';
+      return encodeExr({ ...exrImage(await renderer.readRadiance(), names), attributes });
     },
     dispose() {
       mirror.dispose();
@@ -91,10 +92,11 @@ async function mirrorOf(document: Document): Promise<SceneMirror> {
   return mirror;
 }
 
-function exrImage(radiance: Radiance): ExrImage {
+/** @param names of the channels; colours are multiplied by alpha, as files of this kind have it */
+function exrImage(radiance: Radiance, names: string): ExrImage {
   const width = radiance.width / SUPERSAMPLING;
   const height = radiance.height / SUPERSAMPLING;
-  const channels = ['R', 'G', 'B'].map((name, channel) => ({
+  const channels = [...names].map((name, channel) => ({
     name,
     type: 'float' as const,
     pixels: averaged(radiance, channel, width, height),

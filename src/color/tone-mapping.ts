@@ -17,14 +17,26 @@ export interface Display {
   readonly falseColor?: boolean;
 }
 
-/** RGBA bytes in sRGB, opaque. @param radiance linear RGB */
-export function displayPixels(radiance: Float32Array, display: Display): Uint8ClampedArray {
+/**
+ * RGBA bytes in sRGB, alpha not multiplied in.
+ *
+ * @param radiance linear RGB
+ * @param alpha of each pixel, by which its radiance is multiplied; left out, all is opaque
+ */
+export function displayPixels(
+  radiance: Float32Array,
+  display: Display,
+  alpha?: ArrayLike<number>,
+): Uint8ClampedArray {
   const { exposure, toneMapping, falseColor } = display;
   if (falseColor) return falseColorPixels(radiance, exposure);
-  const scale = 2 ** exposure;
+  const exposed = 2 ** exposure;
   const map = MAPPINGS[toneMapping];
   const pixels = new Uint8ClampedArray((radiance.length / 3) * 4).fill(255);
   for (let i = 0; i < radiance.length / 3; i++) {
+    const covered = alpha?.[i] ?? 1;
+    // Where nothing is, what shines through is no colour.
+    const scale = covered > 0 ? exposed / covered : 0;
     const [r, g, b] = map([
       radiance[3 * i]! * scale,
       radiance[3 * i + 1]! * scale,
@@ -33,6 +45,7 @@ export function displayPixels(radiance: Float32Array, display: Display): Uint8Cl
     pixels[4 * i] = 255 * encode(r);
     pixels[4 * i + 1] = 255 * encode(g);
     pixels[4 * i + 2] = 255 * encode(b);
+    pixels[4 * i + 3] = 255 * covered;
   }
   return pixels;
 }

@@ -80,6 +80,11 @@ export class Film {
     return this.depth.map((sum, pixel) => (this.alpha[pixel]! > 0 ? sum / this.alpha[pixel]! : 0));
   }
 
+  /** The part of the samples that hit something. */
+  meanAlpha(): Float32Array {
+    return this.alpha.map((sum, pixel) => (this.count[pixel]! > 0 ? sum / this.count[pixel]! : 0));
+  }
+
   /**
    * Variance of the mean, RGB, as if the samples were independent. They are spread more evenly than that, so the
    * true error is smaller.

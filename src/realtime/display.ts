@@ -28,6 +28,8 @@ export interface DisplayInputs {
   readonly exposure: Node<'float'>;
   /** The distance in metres that is shown as half grey. */
   readonly distance: Node<'float'>;
+  /** Whether pixels that nothing covers are to be seen through: what they show is multiplied by their alpha. */
+  readonly transparent?: boolean;
 }
 
 type Vec4 = Node<'vec4'>;
@@ -41,12 +43,16 @@ export function displayNode(
   inputs: DisplayInputs,
 ): Node {
   switch (show) {
-    case 'picture':
-      return renderOutput(
-        vec4(pixel.rgb.mul(inputs.exposure), 1),
-        TONE_MAPPINGS[toneMapping],
-        SRGBColorSpace,
-      );
+    case 'picture': {
+      const shown = (light: Node) =>
+        renderOutput(vec4(light as Node<'vec3'>, 1), TONE_MAPPINGS[toneMapping], SRGBColorSpace);
+      const light = pixel.rgb.mul(inputs.exposure);
+      if (!inputs.transparent) return shown(light);
+      // The colour of what covers the pixel, not of that over black.
+      const alpha = pixel.a.clamp(0, 1).toVar();
+      const color = shown(light.div(alpha.max(1e-4))) as Node<'vec4'>;
+      return vec4(color.rgb.mul(alpha), alpha);
+    }
     case 'luminance':
       return vec4(falseColor(pixel, inputs.exposure), 1);
     case 'depth':

@@ -24,6 +24,8 @@ export interface Display {
   readonly show?: View['show'];
   /** In metres, that is half grey where distances are shown. */
   readonly distance?: number;
+  /** The picture has alpha, multiplied in. */
+  readonly transparent?: boolean;
 }
 
 /** From linear radiance to the sRGB values of a screen: exposure, tone mapping, encoding. */
@@ -42,7 +44,7 @@ export class OutputPass {
   render(
     renderer: WebGPURenderer,
     radiance: Texture,
-    { exposure, toneMapping, show = 'picture', distance = 1 }: Display,
+    { exposure, toneMapping, show = 'picture', distance = 1, transparent = false }: Display,
     companion: Companion | null = null,
   ): void {
     this.#radiance.value = radiance;
@@ -54,7 +56,7 @@ export class OutputPass {
       this.#companion.value = companion.radiance;
       this.#from.value = companion.from;
     }
-    this.#quad(show, toneMapping, hasCompanion ? this.#companion : null).render(renderer);
+    this.#quad(show, toneMapping, transparent, hasCompanion ? this.#companion : null).render(renderer);
   }
 
   dispose(): void {
@@ -65,9 +67,10 @@ export class OutputPass {
   #quad(
     show: View['show'],
     toneMapping: View['toneMapping'],
+    transparent: boolean,
     companion: TextureNode<'vec4'> | null,
   ): QuadMesh {
-    const shown = show === 'picture' ? toneMapping : show;
+    const shown = show === 'picture' ? `${toneMapping}${transparent ? ' with alpha' : ''}` : show;
     const key = companion === null ? shown : `${shown} beside another`;
     let quad = this.#quads.get(key);
     if (!quad) {
@@ -78,6 +81,7 @@ export class OutputPass {
       material.fragmentNode = displayNode(show, toneMapping, pixel as Node<'vec4'>, {
         exposure: this.#exposure,
         distance: this.#distance,
+        transparent,
       });
       quad = new QuadMesh(material);
       this.#quads.set(key, quad);

@@ -99,6 +99,7 @@ export class RealtimeRenderer {
   #camera: Camera | undefined;
   #drawnAt = 0;
   #metered = false;
+  #transparent = false;
   /** Shown instead of a part of the frame; readRadiance() does not see it. */
   companion: Companion | null = null;
 
@@ -239,13 +240,17 @@ export class RealtimeRenderer {
     return [r, g, b, a];
   }
 
-  /** The last frame as the screen shows it, or beside another companion: 8-bit sRGB with alpha, rows from the top. */
+  /**
+   * The last frame as the screen shows it, or beside another companion: 8-bit sRGB with alpha, which is not multiplied in, rows
+   * from the top.
+   */
   async readImage(view: ViewSettings, companion = this.companion): Promise<Uint8Array> {
     const { width, height } = this.three.domElement;
     const target = new RenderTarget(width, height, { type: UnsignedByteType, depthBuffer: false });
     this.#show(view, companion, target);
     const pixels = (await this.#read(target)) as Uint8Array;
     target.dispose();
+    if (this.#transparent) divideByAlpha(pixels);
     return pixels;
   }
 
@@ -292,6 +297,7 @@ export class RealtimeRenderer {
   #again(settings: FrameSettings, seconds: number): void {
     this.#camera = settings.camera;
     this.#metered = settings.view.exposureMode === 'auto';
+    this.#transparent = settings.background?.type === 'transparent';
     if (this.#metered) this.#meter.follow(this.three, this.#meteredTexture(this.companion), seconds);
     this.#show(settings.view, this.companion, null);
   }
@@ -326,6 +332,7 @@ export class RealtimeRenderer {
     const display: Display = {
       ...view,
       exposure: this.exposure(view),
+      transparent: this.#transparent,
       ...(this.#camera && { distance: focusDistance(this.#camera) }),
     };
     const draw = (into: RenderTarget | null) => {
@@ -379,6 +386,14 @@ export class RealtimeRenderer {
 }
 
 type Pixels = Float32Array | Uint16Array | Uint8Array;
+
+function divideByAlpha(pixels: Uint8Array): void {
+  for (let i = 0; i < pixels.length; i += 4) {
+    const alpha = pixels[i + 3]!;
+    if (alpha > 0 && alpha < 255)
+      for (let c = 0; c < 3; c++) pixels[i + c] = Math.min(255, Math.round((255 * pixels[i + c]!) / alpha));
+  }
+}
 
 function reverseRows(pixels: Pixels, length: number): void {
   for (let top = 0, bottom = pixels.length - length; top < bottom; top += length, bottom -= length) {

@@ -232,10 +232,12 @@ export const backgroundShapes = {
     type: z.literal('environment'),
     blur: number('How far the environment is out of focus', { range: [0, 1], step: 0.01 }),
   },
+  transparent: { type: z.literal('transparent') },
 };
 export const backgroundSchema = z.discriminatedUnion('type', [
   z.strictObject(backgroundShapes.color),
   z.strictObject(backgroundShapes.environment),
+  z.strictObject(backgroundShapes.transparent),
 ]);
 
 export const environmentSchema = z.strictObject(environmentShape);

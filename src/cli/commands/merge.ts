@@ -25,13 +25,19 @@ const command: Command = {
       throw new UsageError(`-o ${output}: expected a .png or an .exr`);
     checkWritable(output, `-o ${output}`);
     const { image, record } = mergeParts(words.map((word) => partOf(decodeExr(readInput(word), word), word)));
-    const file = format === 'exr' ? encodeExr(image) : radianceToPng(interleaved(image), image, record);
+    const file =
+      format === 'exr'
+        ? encodeExr(image)
+        : radianceToPng(interleaved(image), image, record, false, alphaOf(image));
     savePicture(output, `-o ${output}`, file);
     return 0;
   },
 };
 
 export default command;
+
+const alphaOf = ({ channels }: ExrImage): Float32Array | undefined =>
+  channels.find(({ name }) => name === 'A')?.pixels;
 
 function interleaved({ channels, width, height }: ExrImage): Float32Array {
   const planes = ['R', 'G', 'B'].map((name) => channels.find((channel) => channel.name === name)?.pixels);

@@ -2,7 +2,7 @@
 import { meterPicture } from '../../color/exposure.ts';
 import { denoise } from '../../pathtracer/denoise/denoise.ts';
 import type { RenderRecord } from '../../pathtracer/record.ts';
-import type { Document, View } from '../../scene/schema.ts';
+import type { Document } from '../../scene/schema.ts';
 import { CliError } from '../command.ts';
 import { Interruption } from './interruption.ts';
 import { say } from './messages.ts';
@@ -37,7 +37,7 @@ export async function pathTraced(document: Document, options: RenderOptions): Pr
     if (interruption.signal.aborted) say('interrupted: nothing was rendered');
     for (const { shot, record } of open) {
       if (interruption.signal.aborted) break;
-      await renderShot(machine, shot, record, options, document.view, interruption.signal);
+      await renderShot(machine, shot, record, options, document, interruption.signal);
     }
     return interruption.exitCode;
   } finally {
@@ -51,7 +51,7 @@ async function renderShot(
   { path, camera, seed, title }: Shot,
   planned: RenderRecord,
   options: RenderOptions,
-  view: View,
+  { view, background }: Document,
   signal: AbortSignal,
 ): Promise<void> {
   const { width, height, maxDepth, clamp, until, first, animation } = options;
@@ -86,10 +86,17 @@ async function renderShot(
       device: tracer.device,
       exposure: planned.exposure + metered,
     };
+    const transparent = background.type === 'transparent';
     const file =
       options.format === 'exr'
-        ? filmToExr(film, record, options.aovs, denoised)
-        : radianceToPng(shown, film, record, view.show === 'luminance');
+        ? filmToExr(film, record, options.aovs, denoised, transparent)
+        : radianceToPng(
+            shown,
+            film,
+            record,
+            view.show === 'luminance',
+            transparent ? film.meanAlpha() : undefined,
+          );
     savePicture(path, `-o ${path}`, file);
     bar.end(result);
   }

@@ -20,15 +20,20 @@ export const COUNTS = 'samples';
 export const NOISY = 'noisy.';
 const RGB = ['R', 'G', 'B'];
 
-/** @param denoised RGB, instead of the film's own radiance, which is then in a layer */
+/**
+ * @param denoised RGB, instead of the film's own radiance, which is then in a layer
+ * @param transparent whether there is an alpha channel, by which colours are multiplied as files of this kind have it
+ */
 export function filmToExr(
   film: Film,
   record: RenderRecord,
   aovs: readonly Aov[],
   denoised: Float32Array | null = null,
+  transparent = false,
 ): Uint8Array {
   const channels = [
     ...layer('', RGB, denoised ?? film.mean()),
+    ...(transparent ? layer('', ['A'], film.meanAlpha()) : []),
     ...(denoised === null ? [] : layer(NOISY, RGB, film.mean())),
     ...(film.count.every((n) => n === film.count[0])
       ? []
@@ -60,12 +65,14 @@ function layer(prefix: string, components: readonly string[], values: Float32Arr
   }));
 }
 
-/** As the lab shows it. @param radiance RGB */
+/** As the lab shows it. @param radiance RGB @param alpha by which that is multiplied; left out, all is opaque */
 export function radianceToPng(
   radiance: Float32Array,
   { width, height }: Pick<ExrImage, 'width' | 'height'>,
   record: RenderRecord,
   falseColor = false,
+  alpha?: Float32Array,
 ): Uint8Array {
-  return encodePng(displayPixels(radiance, { ...record, falseColor }), width, height, toAttributes(record));
+  const pixels = displayPixels(radiance, { ...record, falseColor }, alpha);
+  return encodePng(pixels, width, height, toAttributes(record));
 }

@@ -12,6 +12,8 @@ export interface Denoised {
   readonly noisy: Float32Array;
   /** RGB. */
   readonly radiance: Float32Array;
+  /** The part of each pixel that something covers. */
+  readonly alpha: Float32Array;
 }
 
 export interface DenoisingOptions {
@@ -47,7 +49,7 @@ export class Denoising {
     const job = new AbortController();
     this.#job = job;
     this.#tried = samples;
-    const noisy = film.mean();
+    const [noisy, alpha] = [film.mean(), film.meanAlpha()];
     let failure: unknown = null;
     try {
       const radiance = await this.#options.denoise(film, {
@@ -56,7 +58,7 @@ export class Denoising {
           if (this.#job === job) this.#options.onProgress(part);
         },
       });
-      if (this.#job === job) this.#result = { samples, noisy, radiance };
+      if (this.#job === job) this.#result = { samples, noisy, radiance, alpha };
     } catch (error) {
       failure = error;
     }

@@ -220,7 +220,7 @@ export class Director {
       this.#options.post({ kind: 'not-denoised', ticket, message });
     } else if (result !== null) {
       const { width, height } = settings;
-      const picture = { width, height, pixels: halfFloats(result.radiance) };
+      const picture = { width, height, pixels: halfFloats(result.radiance, result.alpha) };
       this.#options.post({ kind: 'denoised', ticket, picture, samples: result.samples }, [
         picture.pixels.buffer,
       ]);
@@ -254,7 +254,9 @@ export class Director {
     const { tracer } = await this.#stage;
     const denoised = asDenoised ? this.#denoising.result : null;
     const samples = denoised?.samples ?? rendering.samples;
-    const radiance = denoised?.noisy ?? (await tracer.film()).mean();
+    const film = await tracer.film();
+    const radiance = denoised?.noisy ?? film.mean();
+    const isTransparent = this.#document?.background.type === 'transparent';
     const { camera, settings } = rendering.wish;
     const { width, height, seed, maxDepth, clamp, strategy } = settings;
     const attributes = toAttributes({
@@ -270,7 +272,9 @@ export class Director {
       device: tracer.device,
       denoised: denoised !== null,
     });
-    const file = new Uint8Array(exrOf({ width, height }, radiance, denoised?.radiance ?? null, attributes));
+    const file = new Uint8Array(
+      exrOf(film, radiance, denoised?.radiance ?? null, attributes, isTransparent ? film.meanAlpha() : null),
+    );
     this.#options.post({ kind: 'exr', file }, [file.buffer]);
   }
 }

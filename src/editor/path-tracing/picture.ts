@@ -6,16 +6,16 @@ import type { Film } from '../../pathtracer/film.ts';
 import type { TracedPicture } from './messages.ts';
 
 const LARGEST_HALF = 65_504;
-const ONE = toHalf(1);
 
 export function tracedPicture(film: Film): TracedPicture {
   const { width, height } = film;
-  return { width, height, pixels: halfFloats(film.mean()) };
+  return { width, height, pixels: halfFloats(film.mean(), film.meanAlpha()) };
 }
 
 /** @param radiance RGB @returns RGBA */
-export function halfFloats(radiance: Float32Array): Uint16Array<ArrayBuffer> {
-  const pixels = new Uint16Array((4 * radiance.length) / 3).fill(ONE);
+export function halfFloats(radiance: Float32Array, alpha: Float32Array): Uint16Array<ArrayBuffer> {
+  const pixels = new Uint16Array((4 * radiance.length) / 3);
+  for (const [pixel, value] of alpha.entries()) pixels[4 * pixel + 3] = toHalf(value);
   for (let i = 0; i < radiance.length; i++) {
     const pixel = Math.floor(i / 3);
     pixels[4 * pixel + (i - 3 * pixel)] = toHalf(Math.min(radiance[i]!, LARGEST_HALF));
@@ -27,6 +27,7 @@ export function halfFloats(radiance: Float32Array): Uint16Array<ArrayBuffer> {
  * Linear radiance; the header says how many samples a pixel has.
  *
  * @param noisy RGB
+ * @param alpha by which colours are multiplied; null where all is opaque
  * @param denoised RGB: then the noisy radiance is in the layer 'noisy', as `render --denoise` writes it
  */
 export function exrOf(
@@ -34,6 +35,7 @@ export function exrOf(
   noisy: Float32Array,
   denoised: Float32Array | null,
   attributes: Readonly<Record<string, string | number>>,
+  alpha: Float32Array | null = null,
 ): Uint8Array {
   const layer = (prefix: string, radiance: Float32Array) =>
     ['R', 'G', 'B'].map((name, c) => ({
@@ -41,6 +43,10 @@ export function exrOf(
       type: 'float' as const,
       pixels: Float32Array.from({ length: width * height }, (_, pixel) => radiance[3 * pixel + c]!),
     }));
-  const channels = [...layer('', denoised ?? noisy), ...(denoised ? layer('noisy.', noisy) : [])];
+  const channels = [
+    ...layer('', denoised ?? noisy),
+    ...(alpha ? [{ name: 'A', type: 'float' as const, pixels: alpha }] : []),
+    ...(denoised ? layer('noisy.', noisy) : []),
+  ];
   return encodeExr({ width, height, channels, attributes });
 }

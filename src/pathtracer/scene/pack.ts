@@ -258,7 +258,7 @@ function writeInstances(
 function writeSurroundings(header: Words, document: Document, boxes: readonly number[]): void {
   const { background } = document;
   if (background.type === 'color') header.setFloats(HEADER.background, ...background.color);
-  else header.setFloats(HEADER.background, 0, 0, 0, 1);
+  else if (background.type === 'environment') header.setFloats(HEADER.background, 0, 0, 0, 1);
   const sun = sunOf(document.environment);
   if (sun !== null && Math.max(...sun.luminance) > 0) {
     header.setFloats(HEADER.sunDirection, ...sun.direction, Math.sin(SUN_ANGULAR_RADIUS));

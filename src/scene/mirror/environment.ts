@@ -116,6 +116,10 @@ export class EnvironmentMirror {
     scene.backgroundRotation.set(0, rotation, 0);
     scene.backgroundBlurriness = shown ? background.blur : 0;
     scene.backgroundNode = null;
+    if (background.type === 'transparent') {
+      scene.background = null;
+      return;
+    }
     if (!shown) {
       const color = scene.background instanceof THREE.Color ? scene.background : new THREE.Color();
       scene.background = color.setRGB(...background.color);

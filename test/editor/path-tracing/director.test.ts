@@ -25,7 +25,7 @@ const settings: RenderSettings = { width: 2, height: 1, maxDepth: 4, seed: 0, st
 const document = createDocument();
 const scene = { words: new Uint32Array(), models: [], triangles: 0, lights: 0, stack: 0 } as PackedScene;
 
-/** Every sample is radiance 1, 2, 3. The test lets passes end by hand, or they end at once. */
+/** Every sample hits something of radiance 1, 2, 3. The test lets passes end by hand, or they end at once. */
 class FakeTracer implements PathTracer {
   readonly device = 'a fake';
   readonly log: string[] = [];
@@ -56,6 +56,7 @@ class FakeTracer implements PathTracer {
     const values = new Float32Array(FILM_FLOATS * 2);
     for (let pixel = 0; pixel < 2; pixel++) {
       values.set([count, 2 * count, 3 * count, count, count, 4 * count, 9 * count], FILM_FLOATS * pixel);
+      values[FILM_FLOATS * pixel + 17] = count;
     }
     this.#film.add(values);
   }

@@ -11,6 +11,8 @@ export type ToPicture =
       readonly width: number;
       readonly height: number;
       readonly format: PictureFormat;
+      /** Whether what nothing covers is to be seen through, in formats that can say so. */
+      readonly transparent: boolean;
     }
   /** RGBA: bytes as a screen shows them, or linear radiance for an EXR. */
   | { readonly kind: 'tile'; readonly tile: Tile; readonly pixels: Uint8Array | Float32Array }

@@ -12,9 +12,10 @@ const post = (message: FromPicture) => self.postMessage(message);
 let width = 0;
 let height = 0;
 let format: PictureFormat = 'png';
+let transparent = false;
 /** RGBA. */
 let screen: Uint8ClampedArray<ArrayBufferLike> = new Uint8ClampedArray(0);
-/** Red, green, blue. */
+/** Red, green, blue, and alpha where there is one. */
 let planes: Float32Array[] = [];
 
 self.addEventListener('message', async ({ data }: MessageEvent<ToPicture>) => {
@@ -29,8 +30,9 @@ self.addEventListener('message', async ({ data }: MessageEvent<ToPicture>) => {
 });
 
 function begin(message: Extract<ToPicture, { kind: 'begin' }>): void {
-  ({ width, height, format } = message);
-  if (format === 'exr') planes = [0, 1, 2].map(() => new Float32Array(width * height));
+  ({ width, height, format, transparent } = message);
+  if (format === 'exr')
+    planes = Array.from({ length: transparent ? 4 : 3 }, () => new Float32Array(width * height));
   else screen = new Uint8ClampedArray(4 * width * height);
 }
 
@@ -49,22 +51,24 @@ function addRadiance({ pixels, display }: Extract<ToPicture, { kind: 'radiance' 
   const rgb = new Float32Array((3 * pixels.length) / 4);
   for (let i = 0; i < pixels.length / 4; i++)
     for (let c = 0; c < 3; c++) rgb[3 * i + c] = fromHalf(pixels[4 * i + c]!);
-  screen = displayPixels(rgb, display);
+  const alpha = Float32Array.from({ length: pixels.length / 4 }, (_, i) => fromHalf(pixels[4 * i + 3]!));
+  screen = displayPixels(rgb, display, transparent ? alpha : undefined);
 }
 
 async function file(): Promise<Blob> {
   if (format === 'exr') {
     const channels = planes.map((plane, c) => ({
-      name: 'RGB'[c] as string,
+      name: 'RGBA'[c] as string,
       type: 'half' as const,
       pixels: plane.map((value) => Math.min(value, LARGEST_HALF)),
     }));
     return new Blob([new Uint8Array(encodeExr({ width, height, channels }))], { type: 'image/x-exr' });
   }
+  if (transparent && format === 'jpg') layOverBlack(screen);
   // Not a copy: at 8K that would be 130 MB.
   const image = new ImageData(screen as Uint8ClampedArray<ArrayBuffer>, width, height);
   const canvas = new OffscreenCanvas(width, height);
-  const context = canvas.getContext('2d', { alpha: false });
+  const context = canvas.getContext('2d', { alpha: transparent && format === 'png' });
   if (context === null) {
     // A canvas so large is beyond some browsers; PNG needs none.
     if (format === 'jpg')
@@ -75,4 +79,12 @@ async function file(): Promise<Blob> {
   return format === 'png'
     ? canvas.convertToBlob({ type: 'image/png' })
     : canvas.convertToBlob({ type: 'image/jpeg', quality: JPEG_QUALITY });
+}
+
+/** For formats without alpha. */
+function layOverBlack(pixels: Uint8ClampedArray): void {
+  for (let i = 0; i < pixels.length; i += 4) {
+    for (let c = 0; c < 3; c++) pixels[i + c] = (pixels[i + c]! * pixels[i + 3]!) / 255;
+    pixels[i + 3] = 255;
+  }
 }

@@ -31,10 +31,11 @@ export async function makePicture(
   onProgress: (text: string, fraction: number) => void,
 ): Promise<Blob> {
   const exposure = renderer.exposure(document.view);
+  const head = { width, height, format, transparent: document.background.type === 'transparent' };
   if (source === 'traced') {
     const traced = await renderTraced({ document, width, height, samples, exposure, signal, onProgress });
     if (format === 'exr') return new Blob([traced.exr], { type: 'image/x-exr' });
-    return assembled(signal, { width, height, format }, async (send) => {
+    return assembled(signal, head, async (send) => {
       const { pixels } = traced.picture;
       send({ kind: 'radiance', pixels, display: { exposure, toneMapping: document.view.toneMapping } }, [
         pixels.buffer,
@@ -43,7 +44,7 @@ export async function makePicture(
   }
   const still = showStill(renderer, document);
   try {
-    return await assembled(signal, { width, height, format }, (send) =>
+    return await assembled(signal, head, (send) =>
       renderTiles({
         renderer,
         mirror,
@@ -78,7 +79,7 @@ type Send = (message: ToPicture, transfer?: Transferable[]) => void;
 
 async function assembled(
   signal: AbortSignal,
-  head: Size & { format: PictureFormat },
+  head: Omit<Extract<ToPicture, { kind: 'begin' }>, 'kind'>,
   fill: (send: Send) => Promise<void>,
 ): Promise<Blob> {
   const worker = new Worker(new URL('./picture-worker.ts', import.meta.url), { type: 'module' });

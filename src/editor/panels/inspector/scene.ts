@@ -129,8 +129,13 @@ export function scenePanel(session: Session): InspectorPanel {
 function backgroundChoice({ store }: Session): Bound {
   const choices = Object.keys(backgroundShapes).map((value) => ({ value, label: choiceLabel(value) }));
   const field = selectField(t('Background'), choices, (value) => {
-    const next: Background =
-      value === 'environment' ? { type: 'environment', blur: 0 } : structuredClone(backgroundDefault);
+    const next = structuredClone(
+      value === 'environment'
+        ? { type: value, blur: 0 }
+        : value === 'transparent'
+          ? { type: value }
+          : backgroundDefault,
+    ) as Background;
     tryEdit(store, t('Change background'), (draft) => {
       draft.background = next;
     });
