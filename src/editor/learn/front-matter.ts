@@ -42,7 +42,7 @@ export function frontMatter(lines: readonly string[], file: string): { matter: M
   return {
     matter: {
       title: text('title', 100),
-      summary: text('summary', 300),
+      summary: found.has('summary') ? text('summary', 300) : '',
       // Behind those that ship.
       order: number('order', [0, 1000], 1000),
       minutes: number('minutes', [1, 600], 10),

@@ -1,0 +1,82 @@
+/** Lessons: walked through, in English and Spanish; a person's own; what was open before comes back. */
+import { readFileSync } from 'node:fs';
+import { expect, it } from 'vitest';
+import { openLab } from './lab.ts';
+
+const lab = await openLab();
+
+it('a lesson shows, explains and changes the picture, and leaves nothing behind', async () => {
+  const lesson = await lab.open({ query: '?scene=parameters' });
+  await lesson.ready();
+  const { page } = lesson;
+  const before = (await lesson.document()).name;
+
+  await page.click('.topbar >> text="Learn"');
+  expect(await page.locator('.lesson-card').count()).toBeGreaterThanOrEqual(8);
+  await page.click('[data-lesson="masking"]');
+  await page.waitForSelector('.lesson-step h2:has-text("In each other")');
+  expect((await lesson.document()).name).toBe('Lesson: masking and shadowing');
+  expect(page.url()).toContain('?lesson=masking');
+
+  const whole = await lesson.picture();
+  await page.click('.lesson-formula .lesson-term');
+  await lesson.until(`irradia.store.document.view.term?.name === 'masking'`);
+  expect(await page.locator('.lesson-explanation').allInnerTexts()).toContainEqual(
+    expect.stringContaining('masking and shadowing'),
+  );
+  expect((await lesson.picture()).hash).not.toBe(whole.hash);
+  await page.click('.lesson-whole');
+  await lesson.until('irradia.store.document.view.term === null');
+  expect((await lesson.picture()).hash).toBe(whole.hash);
+  // Looking is no work that could be undone, or would be kept.
+  expect(await page.evaluate('irradia.store.canUndo')).toBe(false);
+
+  await lesson.dragSlider('[data-path="materials.ball.parameters.roughness"]', 0.9);
+  expect((await lesson.document()).materials.ball?.parameters.roughness).toBeGreaterThan(0.7);
+  expect((await lesson.picture()).hash).not.toBe(whole.hash);
+
+  await page.keyboard.press('PageDown');
+  await page.waitForSelector('.lesson-step h2:has-text("Grooves")');
+  expect((await lesson.document()).materials.ball?.parameters.roughness).toBe(0.5);
+  expect(await page.locator('.bench-tab[aria-selected=true]').getAttribute('data-view')).toBe('thetaL');
+  expect(await page.evaluate('irradia.store.undoLabel')).toBe('Lesson: Grooves');
+  await page.keyboard.press('PageUp');
+  await page.waitForSelector('.lesson-step h2:has-text("In each other")');
+  expect(await page.locator('.bench').isHidden()).toBe(true);
+
+  await page.click('.lesson-panel header button >> nth=-1');
+  await lesson.until(`irradia.store.document.name === ${JSON.stringify(before)}`);
+  expect(await page.locator('.lesson-panel').count()).toBe(0);
+  // The slider was work: it is kept.
+  await lesson.waitForToast('“Lesson: masking and shadowing” is kept');
+  expect(lesson.errors).toEqual([]);
+});
+
+it('a lesson by its address, in Spanish, begins where it was left', async () => {
+  const options = { query: '?lesson=masking', init: "localStorage.setItem('irradia.language', 'es')" };
+  const first = await (await lab.open(options)).ready();
+  await first.page.waitForSelector('.lesson-step h2:has-text("Unas estorban a otras")');
+  await first.page.keyboard.press(']');
+  await first.page.waitForSelector('.lesson-step h2:has-text("Surcos")');
+  const again = await (await lab.open({ ...options, beside: first })).ready();
+  await again.page.waitForSelector('.lesson-step h2:has-text("Surcos")');
+  expect((await again.document()).view.term?.name).toBe('masking');
+  expect([...first.errors, ...again.errors]).toEqual([]);
+});
+
+it('a lesson of a teacher’s own opens when it is dropped, and says what is wrong with it', async () => {
+  const page = await (await lab.open({ query: '?scene=parameters' })).ready();
+  const scene = readFileSync(new URL('../../lessons/lambert/scene.json', import.meta.url), 'utf8');
+  const text = '---\ntitle: My own\n---\n## <b>First</b>\nText.\n:set materials.ball.albdo [1, 0, 0]\n';
+  const drop = (content: string) =>
+    page.drop([
+      { name: 'lesson.en.md', content },
+      { name: 'scene.json', content: scene },
+    ]);
+  await drop(text);
+  await page.waitForToast('lesson.en.md:6: lambert has no parameter “albdo”; expected one of albedo');
+  await drop(text.replace('albdo', 'albedo'));
+  await page.page.waitForSelector('.lesson-step h2:has-text("<b>First</b>")');
+  expect((await page.document()).materials.ball?.parameters.albedo).toEqual([1, 0, 0]);
+  expect(page.errors).toEqual([]);
+});
