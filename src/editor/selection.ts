@@ -54,7 +54,7 @@ export function toggleLocked(context: Context, refs = selectedMembers(context)):
 }
 
 export function groupSelected({ store, state }: Context): void {
-  attempt(t('Not grouped'), () => groupEntities(store, state.value.selected));
+  attempt(t('Not grouped'), () => groupEntities(store, state.value.selected, t('Group|thing')));
 }
 
 export function ungroupSelected({ store, state }: Context): void {

@@ -25,11 +25,11 @@ export function addLight(store: DocumentStore, type: LightType, values: Partial<
   const defaults = lightDefaults[type];
   const id = freeId(type, lights);
   store.edit(`Add ${defaults.name.toLowerCase()}`, (draft) => {
-    const name = freeName(defaults.name, namesOf(lights));
+    const name = freeName(values.name ?? defaults.name, namesOf(lights));
     const place: { position?: number[]; target?: number[] } = {};
     if ('position' in defaults) place.position = lightPlace(store.document, defaults.position);
     if ('target' in defaults) place.target = lightTarget(store.document, defaults.target);
-    draft.lights[id] = { ...structuredClone(defaults), ...place, name, ...values, type } as Light;
+    draft.lights[id] = { ...structuredClone(defaults), ...place, ...values, name, type } as Light;
   });
   return id;
 }
@@ -38,11 +38,15 @@ export function addLight(store: DocumentStore, type: LightType, values: Partial<
  * Adds a primitive with a material (a new one if none is given), on the floor where there is room for it;
  * returns the object's id.
  */
-export function addObject(store: DocumentStore, type: AddableGeometry, material?: string): string {
+export function addObject(
+  store: DocumentStore,
+  type: AddableGeometry,
+  material?: string,
+  name = geometryNames[type],
+): string {
   const { objects } = store.document;
-  const name = geometryNames[type];
-  const id = freeId(name, objects);
-  store.edit(`Add ${name.toLowerCase()}`, (draft) => {
+  const id = freeId(geometryNames[type], objects);
+  store.edit(`Add ${geometryNames[type].toLowerCase()}`, (draft) => {
     const object = {
       ...structuredClone(objectDefaults),
       name: freeName(name, namesOf(objects)),

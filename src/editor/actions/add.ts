@@ -20,10 +20,14 @@ export function addActions({ store, state }: Session): Action[] {
   });
   return [
     ...addableGeometries.map((type) =>
-      action('objects', type, geometryNames[type], () => addObject(store, type)),
+      action('objects', type, geometryNames[type], () =>
+        addObject(store, type, undefined, translate(geometryNames[type])),
+      ),
     ),
     ...lightTypes.map((type) =>
-      action('lights', type, lightDefaults[type].name, () => addLight(store, type)),
+      action('lights', type, lightDefaults[type].name, () =>
+        addLight(store, type, { name: translate(lightDefaults[type].name) }),
+      ),
     ),
     action('materials', 'material', 'Material', () => addMaterial(store)),
   ];
@@ -35,7 +39,7 @@ export function sceneActions(
 ): Action[] {
   return scenes.map(({ name, title }) => ({
     id: `scene.${name}`,
-    title: t('Open the scene {title}', { title }),
+    title: t('Open the scene {title}', { title: translate(title) }),
     run: () => open(name),
   }));
 }

@@ -53,7 +53,7 @@ export const bench: Catalogue = {
   'Logarithmic values': 'Valores logarítmicos',
   'Times n·l': 'Por n·l',
   'Multiply by the cosine at the light': 'Multiplicar por el coseno en la luz',
-  Range: 'Intervalo',
+  'Range|axis': 'Intervalo',
   'Where the axis of values ends; 0 finds it': 'Dónde termina el eje de valores; 0 lo busca',
   Brightness: 'Brillo',
   'Of pictures, in stops': 'De las imágenes, en pasos',

@@ -81,7 +81,6 @@ export const inspector: Catalogue = {
   'Rename the scene': 'Cambiar el nombre de la escena',
   Inspector: 'Inspector',
   Scene: 'Escena',
-  '{value} light': 'Luz {value}',
   Material: 'Material',
   'Change {label}': 'Cambiar {label}',
   Type: 'Tipo',

@@ -264,6 +264,7 @@ export const schema: Catalogue = {
   Falloff: 'Atenuación',
   'Distance at which the light has faded to nothing; 0 never cuts it off':
     'Distancia a la que la luz se ha atenuado del todo; 0 no la corta nunca',
+  Range: 'Alcance',
   'Radius of the lamp: how soft its shadows are. What is lit wholly is lit as from its centre':
     'Radio de la lámpara: lo suaves que son sus sombras. Lo que ilumina entera recibe la luz como desde su centro',
   'Angle between the axis and the edge of the cone; no light beyond it':
@@ -403,7 +404,7 @@ export const schema: Catalogue = {
   'Resolution scale': 'Escala de resolución',
   'What a frame may take the GPU: while things move, fewer pixels are rendered, half along each side at the least, to hold it; 0 renders all':
     'Lo que puede costarle un fotograma a la GPU: mientras algo se mueve se calculan menos píxeles, como mínimo la mitad por lado, para cumplirlo; 0 los calcula todos',
-  'Target frame time': 'Tiempo de fotograma deseado',
+  'Target frame time': 'Tiempo por fotograma',
   'Show where the lights are and where they shine': 'Muestra dónde están las luces y hacia dónde iluminan',
   Helpers: 'Guías',
   'Paths per pixel after which the picture is complete':

@@ -35,7 +35,7 @@ export const viewport: Catalogue = {
   Status: 'Estado',
   'Frame time in ms, newest at the right; spikes in red.\nBetween frames that follow one another: the time from one to the next. A single frame: until the GPU has finished it.':
     'Tiempo por fotograma en ms, el más nuevo a la derecha; los picos, en rojo.\nEntre fotogramas seguidos: el tiempo de uno al siguiente. Un fotograma suelto: hasta que la GPU lo ha terminado.',
-  idle: 'en reposo',
+  idle: 'reposo',
   'Map of the difference': 'Mapa de la diferencia',
   'FLIP: visible difference': 'FLIP: diferencia visible',
   '0 none': '0 ninguna',

@@ -117,7 +117,7 @@ export function createControls({ change, placeLight }: ControlActions): Controls
     log: toggle(change, 'log', t('Log'), t('Logarithmic values')),
     cosine: toggle(change, 'cosine', t('Times n·l'), t('Multiply by the cosine at the light')),
     range: slider(change, 'range', {
-      label: t('Range'),
+      label: t('Range|axis'),
       tip: t('Where the axis of values ends; 0 finds it'),
       min: 0.1,
       max: 1000,

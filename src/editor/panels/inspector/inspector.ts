@@ -4,6 +4,7 @@
  */
 import { describeEntities } from '../../../scene/entity.ts';
 import { geometryNames } from '../../../scene/geometry-schema.ts';
+import { lightDefaults } from '../../../scene/light-schema.ts';
 import type { Document } from '../../../scene/schema.ts';
 import { renameEntity } from '../../commands.ts';
 import { t, translate } from '../../language/language.ts';
@@ -96,7 +97,8 @@ function panelFor(session: Session, selection: Selection): InspectorPanel {
 }
 
 function kindName(document: Document, { kind, id }: NonNullable<Selection>): string {
-  if (kind === 'lights') return t('{value} light', { value: document.lights[id]?.type ?? '' });
+  const light = kind === 'lights' ? document.lights[id] : undefined;
+  if (light) return translate(lightDefaults[light.type].name);
   const object = kind === 'objects' ? document.objects[id] : undefined;
   return object ? translate(geometryNames[object.geometry.type]) : t('Material');
 }

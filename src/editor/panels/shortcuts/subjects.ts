@@ -15,6 +15,12 @@ function titleOf(subject: string): string {
       return t('Select');
     case 'add':
       return t('Add');
+    case 'scene':
+      return t('Scenes');
+    case 'material':
+      return t('Materials');
+    case 'learn':
+      return t('Lessons');
     case 'view':
       return t('What is seen');
     case 'viewport':
