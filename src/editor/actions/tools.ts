@@ -97,7 +97,7 @@ export function toolActions(session: Session): Action[] {
 }
 
 /** Arrow keys mean something else in lists, sliders and menus. */
-function isViewportFocused(): boolean {
+export function isViewportFocused(): boolean {
   const { activeElement, body } = document;
   return (
     activeElement === null || activeElement === body || activeElement.closest('.viewport > canvas') !== null
