@@ -41,16 +41,21 @@ const PARTS: readonly (readonly [string, (page: LabPage) => Promise<unknown>, st
         'Escape',
       ] as const,
   ),
-  ['a light', (page) => page.select('lights', 'spot')],
-  ['an object', (page) => page.select('objects', 'suzanne')],
-  ['a material', (page) => page.select('materials', 'gold')],
+  ['a light', (page) => page.select('lights', 'red')],
+  ['an object', (page) => page.select('objects', 'sphere')],
+  ['a material', (page) => page.select('materials', 'cone')],
   ['the bench', ({ page }) => page.keyboard.press('b'), 'b'],
+  ['the palette', ({ page }) => page.keyboard.press('Control+k'), 'Escape'],
+  ['the history', ({ page }) => page.keyboard.press('Control+Alt+z'), 'Escape'],
+  ['the library', ({ page }) => page.keyboard.press('m'), 'm'],
+  ['both pictures', ({ page }) => page.keyboard.press('3'), '1'],
   ['the shortcuts', ({ page }) => page.keyboard.press('?'), 'Escape'],
   ['the documents', ({ page }) => page.keyboard.press('Control+Shift+O'), 'Escape'],
 ];
 
 it('the page of a Spanish browser is Spanish; English is chosen in the settings, and nothing is lost', async () => {
-  const page = await lab.open({ locale: 'es-ES' });
+  // A scene of little, which a GPU made of software draws at once.
+  const page = await lab.open({ locale: 'es-ES', query: '?scene=thesis-demo02' });
   await page.ready();
   expect(await page.page.evaluate('document.documentElement.lang')).toBe('es');
   for (const [part, open, close] of PARTS) {
