@@ -91,7 +91,7 @@ export function putLook(draft: Draft, id: string, look: MaterialLook): void {
   if (draft.view.term?.material === id && !terms.includes(draft.view.term.name)) draft.view.term = null;
 }
 
-/** Sets all of a material's parameters at once; what has the model's default is not stored. */
+/** Sets all of a material's parameters at once, to the model's defaults where no value is named; those are not stored. */
 export function setValues(
   store: DocumentStore,
   id: string,
@@ -101,9 +101,9 @@ export function setValues(
 ): void {
   const { name, model } = entity(store.document, 'materials', id);
   const parameters = findModel(store.document, model)?.parameters ?? [];
-  const stored = parameters.filter(
-    (parameter) => JSON.stringify(values[parameter.name]) !== JSON.stringify(parameter.default),
-  );
+  const isStored = (name: string, usual: ParameterValue) =>
+    values[name] !== undefined && JSON.stringify(values[name]) !== JSON.stringify(usual);
+  const stored = parameters.filter((parameter) => isStored(parameter.name, parameter.default));
   store.edit(
     `${name}: ${label}`,
     (draft) => {
