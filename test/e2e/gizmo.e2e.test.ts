@@ -144,6 +144,24 @@ describe('the gizmo', () => {
     await undo();
   });
 
+  it('is dragged by a finger, which need not hit it as well as a mouse', async () => {
+    const at = await selectByHand('Left');
+    const { camera } = await page.document();
+    const [from, to] = [await along(at, 60), await along(at, 140)];
+    const touch = await page.page.context().newCDPSession(page.page);
+    const finger = (type: 'touchStart' | 'touchMove', { x, y }: { x: number; y: number }) =>
+      touch.send('Input.dispatchTouchEvent', { type, touchPoints: [{ x, y: y + 13 }] });
+    await finger('touchStart', from);
+    await finger('touchMove', { x: (from.x + to.x) / 2, y: from.y });
+    await finger('touchMove', to);
+    await touch.send('Input.dispatchTouchEvent', { type: 'touchEnd', touchPoints: [] });
+    await touch.detach();
+    const after = await page.document();
+    expect((await object('Left')).position[0]).toBeGreaterThan(at[0] + 0.4);
+    expect(after.camera).toEqual(camera);
+    await undo();
+  });
+
   it('turns, and scales', async () => {
     const at = await selectByHand('Left');
     const middle = await pixel(at);
