@@ -34,7 +34,11 @@ export function installEnvironmentDrag({
 
   const begin = (start: PointerEvent) => {
     const { source, rotation } = store.document.environment;
-    if (!start.altKey || start.button !== 0 || start.target !== canvas || source.type === 'none') return;
+    const { benchOpen, bench } = session.state.value;
+    // Then it is a lamp that this turns (panels/bench/light-drag.ts).
+    const isLamp = benchOpen && bench.lightInStep;
+    if (!start.altKey || start.button !== 0 || start.target !== canvas || isLamp || source.type === 'none')
+      return;
     const gesture = newGesture();
     let isDrag = false;
     holdCamera(true);

@@ -60,7 +60,7 @@ export function createToolbar({ state, actions }: Session): HTMLElement {
         class: 'icon-button tool-button',
         tip,
         'data-keys': action,
-        'aria-label': tip,
+        'aria-label': actions.get(action).title,
         on: { click: () => actions.run(action) },
       },
       icon(name),

@@ -30,7 +30,7 @@ export function dragGuides(id: HandleId, change: Change, { frame, view }: Seen, 
       ? [{ id: axis, line: lineAlong(frame, frame.axes[i] as Vector3, view) }]
       : [],
   );
-  return { guides, sector: change.type === 'turn' ? sectorOf(change, { frame, view }, start) : [] };
+  return { guides, sector: change.type === 'turn' ? sectorOf(id, change, { frame, view }, start) : [] };
 }
 
 function lineAlong({ pivot }: Frame, axis: Vector3, view: GizmoView): Pixel[] {
@@ -45,6 +45,7 @@ function lineAlong({ pivot }: Frame, axis: Vector3, view: GizmoView): Pixel[] {
 }
 
 function sectorOf(
+  id: HandleId,
   { axis, angle }: Extract<Change, { type: 'turn' }>,
   { frame: { pivot }, view }: Seen,
   start: Pointer,
@@ -52,8 +53,7 @@ function sectorOf(
   const arm = onPlane(start.ray, pivot, axis)?.sub(pivot);
   const centre = view.project(pivot);
   if (!arm || !centre || arm.lengthSq() === 0) return [];
-  const radius = SIZES.ring * view.pixel;
-  arm.setLength(radius);
+  arm.setLength((id === 'view' ? SIZES.viewRing : SIZES.ring) * view.pixel);
   const pieces = Math.max(1, Math.ceil((Math.abs(angle) * 180) / Math.PI / PIECE_DEGREES));
   const edge: Pixel[] = [];
   for (let k = 0; k <= pieces; k++) {

@@ -19,7 +19,7 @@ interface Cached {
   readonly edges: MeshEdges;
   readonly toClip: Matrix4;
   readonly size: string;
-  readonly loops: readonly Loop[];
+  readonly path: Path2D;
 }
 
 export class Outlines {
@@ -52,14 +52,14 @@ export class Outlines {
     const layer = this.#layerOf(context.canvas);
     const lines: Line[] = [];
     let triangles = 0;
-    const [last, others]: [Loop[][], Loop[][]] = [[], []];
+    const [last, others]: [Path2D[], Path2D[]] = [[], []];
     const isLast = selected.at(-1)?.kind === 'objects';
     // The last first: it has its outline whatever the others cost.
     for (const [i, mesh] of meshes.reverse().entries()) {
       mesh.updateWorldMatrix(true, false);
       triangles += triangleCount(mesh.geometry);
       if (triangles > MAX_TRIANGLES) lines.push(...cornersOf(mesh));
-      else (i === 0 && isLast ? last : others).push([...this.#loops(mesh, camera, width, height)]);
+      else (i === 0 && isLast ? last : others).push(this.#path(mesh, camera, width, height));
     }
     paint(context, layer, others, OTHERS, WIDTH * 0.75);
     paint(context, layer, last, LAST, WIDTH);
@@ -74,19 +74,19 @@ export class Outlines {
   }
 
   /** A frame of a scene that stands still costs nothing. */
-  #loops(mesh: Mesh, camera: PerspectiveCamera, width: number, height: number): readonly Loop[] {
+  #path(mesh: Mesh, camera: PerspectiveCamera, width: number, height: number): Path2D {
     const edges = this.#edgesOf(mesh.geometry);
     const toClip = new Matrix4()
       .multiplyMatrices(camera.projectionMatrix, camera.matrixWorldInverse)
       .multiply(mesh.matrixWorld);
     const size = `${width} ${height}`;
     const cached = this.#cache.get(mesh);
-    if (cached?.edges === edges && cached.size === size && cached.toClip.equals(toClip)) return cached.loops;
+    if (cached?.edges === edges && cached.size === size && cached.toClip.equals(toClip)) return cached.path;
     const eye = new Vector3().setFromMatrixPosition(camera.matrixWorld);
     eye.applyMatrix4(new Matrix4().copy(mesh.matrixWorld).invert());
-    const loops = silhouette(edges, { eye, toClip, near: camera.near, width, height });
-    this.#cache.set(mesh, { edges, toClip, size, loops });
-    return loops;
+    const path = pathOf(silhouette(edges, { eye, toClip, near: camera.near, width, height }));
+    this.#cache.set(mesh, { edges, toClip, size, path });
+    return path;
   }
 
   #edgesOf(geometry: BufferGeometry): MeshEdges {
@@ -113,11 +113,10 @@ function cornersOf(mesh: Mesh): Line[] {
 function paint(
   context: CanvasRenderingContext2D,
   layer: HTMLCanvasElement,
-  things: readonly (readonly Loop[])[],
+  paths: readonly Path2D[],
   color: string,
   width: number,
 ): void {
-  const paths = things.map(pathOf);
   const on = layer.getContext('2d');
   if (!on || paths.length === 0) return;
   const ratio = context.getTransform().a;
