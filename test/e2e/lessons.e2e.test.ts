@@ -4,12 +4,15 @@ import { expect, it } from 'vitest';
 import { openLab } from './lab.ts';
 
 const lab = await openLab();
+/** Something to come back to, which is quickly drawn. */
+const mine = {
+  query: '?scene=./mine.json',
+  files: { '/mine.json': '{ "format": "irradia", "version": 1, "name": "Mine" }' },
+};
 
 it('a lesson shows, explains and changes the picture, and leaves nothing behind', async () => {
-  const lesson = await lab.open({ query: '?scene=parameters' });
-  await lesson.ready();
+  const lesson = await (await lab.open(mine)).ready();
   const { page } = lesson;
-  const before = (await lesson.document()).name;
 
   await page.click('.topbar >> text="Learn"');
   expect(await page.locator('.lesson-card').count()).toBeGreaterThanOrEqual(8);
@@ -45,7 +48,7 @@ it('a lesson shows, explains and changes the picture, and leaves nothing behind'
   expect(await page.locator('.bench').isHidden()).toBe(true);
 
   await page.click('.lesson-panel header button >> nth=-1');
-  await lesson.until(`irradia.store.document.name === ${JSON.stringify(before)}`);
+  await lesson.until(`irradia.store.document.name === 'Mine'`);
   expect(await page.locator('.lesson-panel').count()).toBe(0);
   // The slider was work: it is kept.
   await lesson.waitForToast('“Lesson: masking and shadowing” is kept');
@@ -54,18 +57,19 @@ it('a lesson shows, explains and changes the picture, and leaves nothing behind'
 
 it('a lesson by its address, in Spanish, begins where it was left', async () => {
   const options = { query: '?lesson=masking', init: "localStorage.setItem('irradia.language', 'es')" };
-  const first = await (await lab.open(options)).ready();
+  const first = await lab.open(options);
+  // The page waits for its Spanish words.
   await first.page.waitForSelector('.lesson-step h2:has-text("Unas estorban a otras")');
   await first.page.keyboard.press(']');
   await first.page.waitForSelector('.lesson-step h2:has-text("Surcos")');
-  const again = await (await lab.open({ ...options, beside: first })).ready();
+  const again = await lab.open({ ...options, beside: first });
   await again.page.waitForSelector('.lesson-step h2:has-text("Surcos")');
   expect((await again.document()).view.term?.name).toBe('masking');
   expect([...first.errors, ...again.errors]).toEqual([]);
 });
 
 it('a lesson of a teacher’s own opens when it is dropped, and says what is wrong with it', async () => {
-  const page = await (await lab.open({ query: '?scene=parameters' })).ready();
+  const page = await (await lab.open(mine)).ready();
   const scene = readFileSync(new URL('../../lessons/lambert/scene.json', import.meta.url), 'utf8');
   const text = '---\ntitle: My own\n---\n## <b>First</b>\nText.\n:set materials.ball.albdo [1, 0, 0]\n';
   const drop = (content: string) =>

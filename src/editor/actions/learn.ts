@@ -11,10 +11,17 @@ let loading: Promise<Learning> | null = null;
 
 /** The page's lessons, the same ones each time. */
 export function learning(session: Session): Promise<Learning> {
-  loading ??= import('../learn/learn.ts').then(({ Learning }) => {
-    loaded = new Learning(session);
-    return loaded;
-  });
+  loading ??= import('../learn/learn.ts').then(
+    ({ Learning }) => {
+      loaded = new Learning(session);
+      return loaded;
+    },
+    (error: unknown) => {
+      // Without a network they may not come; the next try asks again.
+      loading = null;
+      throw error;
+    },
+  );
   return loading;
 }
 
@@ -24,8 +31,6 @@ export function learnActions(session: Session): Action[] {
     try {
       (await learning(session)).showList();
     } catch (error) {
-      // Without a network they may not come; the next try asks again.
-      loading = null;
       toastError(t('The lessons could not be loaded'), error);
     }
   };

@@ -49,7 +49,7 @@ export function benchOf(
   bench: Partial<BenchSettings> | null,
   plot: Plot,
   document: Document,
-  materialId: string | null,
+  materialId: string | undefined,
 ): Partial<BenchSettings> {
   const material = document.materials[materialId ?? ''];
   const model = material && findModel(document, material.model);

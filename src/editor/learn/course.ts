@@ -151,7 +151,8 @@ export class Course {
       benchPage: false,
       bench: { ...initialSettings, ...bench },
     });
-    keepProgress(this.source.name, this.#index, this.isLast);
+    // A folder that was dropped may be called anything.
+    if (this.source.address !== null) keepProgress(this.source.name, this.#index, this.isLast);
   }
 }
 

@@ -119,8 +119,8 @@ export class Learning {
 }
 
 /** The step that the person saw last; the first one after the last. */
-function indexOf({ name }: LessonSource, { steps }: ReadyLesson): number {
-  const step = progressOf(name)?.step ?? 0;
+function indexOf({ name, address }: LessonSource, { steps }: ReadyLesson): number {
+  const step = (address !== null && progressOf(name)?.step) || 0;
   return step < steps.length - 1 ? step : 0;
 }
 

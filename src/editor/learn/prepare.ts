@@ -8,6 +8,7 @@ import { findModel } from '../../scene/models.ts';
 import type { Document } from '../../scene/schema.ts';
 import { documentIssues } from '../../scene/validate.ts';
 import type { BenchSettings } from '../panels/bench/settings.ts';
+import { selectedMaterial } from '../selected-material.ts';
 import type { Entity, Rendering, Selection } from '../state.ts';
 import { benchOf } from './bench-settings.ts';
 import { LessonError, type Place, shown } from './error.ts';
@@ -151,7 +152,13 @@ class Preparation {
         break;
       case 'plot':
       case 'pin':
-        this.#bench = benchOf(this.#bench, setting, this.#document, this.#material);
+        // As in the bench: the plots are of what is selected.
+        this.#bench = benchOf(
+          this.#bench,
+          setting,
+          this.#document,
+          selectedMaterial(this.#document, this.#selection),
+        );
         break;
     }
   }

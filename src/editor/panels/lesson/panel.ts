@@ -7,6 +7,7 @@ import { type IconName, icon } from '../../ui/icons.ts';
 import type { Bound } from '../inspector/field.ts';
 import { lessonList } from './list.ts';
 import { stepView } from './step.ts';
+import { fitFormulas } from './text.ts';
 
 export interface LessonPanel {
   readonly isOpen: boolean;
@@ -21,7 +22,7 @@ export function createLessonPanel(session: Session, learning: Learning): LessonP
   const reset = iconButton('loop', t('This step as it was'), () => learning.reset());
   const close = iconButton('close', t('Leave the lessons'), () => void learning.leave());
   const parts = h('ol', { class: 'lesson-parts', 'aria-label': t('Steps') });
-  const body = h('div', { class: 'lesson-body' });
+  const body = h('div', { class: 'lesson-body', tabindex: 0 });
   const back = h(
     'button',
     {
@@ -57,6 +58,12 @@ export function createLessonPanel(session: Session, learning: Learning): LessonP
   back.addEventListener('click', () => session.actions.run('learn.back'));
   next.addEventListener('click', () => session.actions.run('learn.next'));
   session.store.subscribe(() => shown?.update());
+  // While there is more to read, these keys belong to the text.
+  body.addEventListener('keydown', (event) => {
+    const down = body.scrollTop + body.clientHeight < body.scrollHeight - 1;
+    if ((event.key === 'PageDown' && down) || (event.key === 'PageUp' && body.scrollTop > 0))
+      event.stopPropagation();
+  });
 
   const open = () => {
     const app = document.getElementById('app');
@@ -84,6 +91,9 @@ export function createLessonPanel(session: Session, learning: Learning): LessonP
     title.textContent = lesson.title;
     shown = stepView(session, course);
     body.replaceChildren(shown.element);
+    fitFormulas(body);
+    // Its fonts come with the first formula.
+    void document.fonts.ready.then(() => fitFormulas(body));
     body.scrollTop = 0;
     shown.update();
     parts.replaceChildren(...lesson.steps.map((step, i) => part(step.title, i, index)));

@@ -37,3 +37,15 @@ export function formula(tex: string, display: boolean, onTerm: OnTerm): HTMLElem
   }
   return element;
 }
+
+/** The smallest that a formula is made, of its own size; what is still wider can be scrolled. */
+const SMALLEST = 0.7;
+
+/** Makes formulas that are wider than the panel smaller; once they are on the page. */
+export function fitFormulas(element: HTMLElement): void {
+  for (const line of element.querySelectorAll<HTMLElement>('.lesson-formula')) {
+    line.style.fontSize = '';
+    const share = line.clientWidth / line.scrollWidth;
+    if (share < 1) line.style.fontSize = `${Math.max(SMALLEST, share - 0.01)}em`;
+  }
+}
