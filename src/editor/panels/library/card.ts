@@ -1,9 +1,9 @@
 /** One material of the grid: its picture and its name. */
 import type { Document } from '../../../scene/schema.ts';
 import { h } from '../../ui/dom.ts';
-import { keyOfOffer, type Offer, pictureJob, titleOf } from './chosen.ts';
+import { keyOfOffer, type Offer, titleOf } from './chosen.ts';
 import { startDrag } from './drag.ts';
-import { keyOf } from './thumbnail-job.ts';
+import { keyOf, type ThumbnailJob } from './thumbnail-job.ts';
 import { drawThumbnail, type Thumbnails, thumbnailCanvas } from './thumbnails.ts';
 
 /** Pixels of a picture's side: sharp on a screen of twice as many as it has room for. */
@@ -18,7 +18,10 @@ export interface Card {
   show(document: Document): void;
 }
 
-export function createCard(offer: Offer, thumbnails: Thumbnails): Card {
+/** What an offer's picture is made of; null where it has none. */
+export type JobOf = (offer: Offer) => ThumbnailJob | null;
+
+export function createCard(offer: Offer, thumbnails: Thumbnails, jobOf: JobOf): Card {
   const picture = thumbnailCanvas(PICTURE_SIZE);
   const name = h('span', { class: 'material-name' });
   const element = h(
@@ -42,7 +45,7 @@ export function createCard(offer: Offer, thumbnails: Thumbnails): Card {
         name.textContent = title;
         element.title = title;
       }
-      const job = pictureJob(offer, document);
+      const job = jobOf(offer);
       const key = job && keyOf(job, PICTURE_SIZE);
       if (key === shown) return;
       shown = key;

@@ -12,7 +12,7 @@ import { h } from '../../ui/dom.ts';
 import { selectField } from '../../ui/fields.ts';
 import { icon } from '../../ui/icons.ts';
 import { toast } from '../../ui/toast.ts';
-import { type Card, createCard } from './card.ts';
+import { type Card, createCard, type JobOf } from './card.ts';
 import { addToScene, giveToSelected, keyOfOffer, type Offer } from './chosen.ts';
 import { detailOf } from './detail.ts';
 import { endDrag } from './drag.ts';
@@ -33,7 +33,7 @@ export interface LibraryPanel {
 /** After an edit of the scene, before its pictures are made anew, ms. */
 const REST_MS = 250;
 
-export function createLibrary(session: Session, thumbnails: Thumbnails): LibraryPanel {
+export function createLibrary(session: Session, thumbnails: Thumbnails, jobOf: JobOf): LibraryPanel {
   const { store, state } = session;
   let own: OwnEntry[] = [];
   let only = '';
@@ -108,7 +108,7 @@ export function createLibrary(session: Session, thumbnails: Thumbnails): Library
             const name = keyOfOffer(offer);
             wanted.add(name);
             const known = cards.get(name);
-            const card = known ?? createCard(offer, thumbnails);
+            const card = known ?? createCard(offer, thumbnails, jobOf);
             if (!known) seen.observe(card.element);
             cards.set(name, card);
             card.show(store.document);

@@ -1,7 +1,9 @@
 /** In the outliner, materials are shown by their pictures, and can be dragged onto objects. */
+import type { SceneMirror } from '../../../scene/mirror.ts';
 import type { Session } from '../../session.ts';
 import { endDrag, startDrag } from './drag.ts';
-import { jobOf, keyOf } from './thumbnail-job.ts';
+import { sceneJob } from './scene-job.ts';
+import { keyOf } from './thumbnail-job.ts';
 import { drawThumbnail, type Thumbnails, thumbnailCanvas } from './thumbnails.ts';
 
 /** Pixels: sharp on a screen of twice as many as a row has room for. */
@@ -13,14 +15,15 @@ const KIND = 'materials/';
 export function installScenePictures(
   { store }: Session,
   outliner: HTMLElement,
+  mirror: SceneMirror,
   thumbnails: Thumbnails,
 ): void {
   const shown = new WeakMap<HTMLCanvasElement, string | null>();
 
   const show = (row: HTMLElement) => {
     const id = row.dataset.entity?.slice(KIND.length) ?? '';
-    const material = store.document.materials[id];
-    if (!material) return;
+    const job = sceneJob(store.document, mirror, id);
+    if (!job) return;
     let canvas = row.querySelector<HTMLCanvasElement>('.material-picture');
     if (!canvas) {
       canvas = thumbnailCanvas(SIZE);
@@ -29,7 +32,6 @@ export function installScenePictures(
       row.draggable = true;
     }
     const picture = canvas;
-    const job = jobOf(store.document, material);
     const key = keyOf(job, SIZE);
     if (shown.get(picture) === key) return;
     shown.set(picture, key);
@@ -43,7 +45,7 @@ export function installScenePictures(
   let timer = 0;
   const later = () => {
     clearTimeout(timer);
-    timer = window.setTimeout(showAll, REST_MS);
+    timer = window.setTimeout(() => void mirror.settled().then(showAll), REST_MS);
   };
   store.subscribe(({ document, previous }) => {
     if (document.materials !== previous.materials || document.models !== previous.models) later();
@@ -62,5 +64,5 @@ export function installScenePictures(
       startDrag(event, { kind: 'scene', id }, name, row.querySelector<HTMLElement>('canvas') ?? row);
   });
   outliner.addEventListener('dragend', endDrag);
-  showAll();
+  void mirror.settled().then(showAll);
 }

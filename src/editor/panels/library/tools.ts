@@ -8,8 +8,10 @@ import { t } from '../../language/language.ts';
 import type { Session } from '../../session.ts';
 import { openMenu } from '../../ui/menu.ts';
 import type { Viewport } from '../../viewport/viewport.ts';
+import { pictureJob } from './chosen.ts';
 import { installDropTarget } from './drop-target.ts';
 import { createLibrary, type LibraryPanel } from './library.ts';
+import { sceneJob } from './scene-job.ts';
 import { installScenePictures } from './scene-pictures.ts';
 import { Thumbnails } from './thumbnails.ts';
 import { nextSeed, openVary, randomise } from './vary.ts';
@@ -37,10 +39,14 @@ export interface MaterialTools {
 export function createMaterialTools(context: MaterialContext): MaterialTools {
   const { session, mirror, assets, view, outliner } = context;
   const thumbnails = new Thumbnails();
-  const library = createLibrary(session, thumbnails);
+  const library = createLibrary(session, thumbnails, (offer) =>
+    offer.kind === 'scene'
+      ? sceneJob(session.store.document, mirror, offer.id)
+      : pictureJob(offer, session.store.document),
+  );
   document.getElementById('app')?.append(library.element);
   installDropTarget(session, view, mirror);
-  installScenePictures(session, outliner, thumbnails);
+  installScenePictures(session, outliner, mirror, thumbnails);
   // Not before somebody wants one, by when the renderer has started.
   const compareFirst = session.state.subscribe(({ comparison }) => {
     const [renderer, viewport] = [context.renderer(), context.viewport()];
