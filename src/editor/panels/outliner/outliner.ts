@@ -11,6 +11,7 @@ import type { Entity } from '../../state.ts';
 import { h } from '../../ui/dom.ts';
 import { openMenu } from '../../ui/menu.ts';
 import { selectionEntries } from '../selection-menu.ts';
+import { installRowDrag } from './drag.ts';
 import { treeMove } from './keys.ts';
 import { createRow, keyOfRow, type OutlinerRow, partOf, rowId } from './row.ts';
 import { createSearch } from './search.ts';
@@ -191,6 +192,8 @@ export function createOutliner(session: Session): Outliner {
       view.reveal(move.to);
     } else choose(move.to, move.how);
   });
+
+  installRowDrag(session, list, (event) => rows[rowOf(event)]);
 
   /** Brings what was selected elsewhere into sight. */
   function reveal(entity: Entity | null): void {

@@ -19,14 +19,15 @@ export function between(document: Document, rows: readonly TreeRow[], from: numb
   );
 }
 
-/** All of both, those of the second one last. */
+/** All of both, each once, those of the second one last. */
 export function union(a: readonly Entity[], b: readonly Entity[]): Entity[] {
-  const last = new Set(b.map(entityKey));
-  return [
-    ...new Map(
-      [...a.filter((entity) => !last.has(entityKey(entity))), ...b].map((e) => [entityKey(e), e]),
-    ).values(),
-  ];
+  const found = new Map<string, Entity>();
+  for (const entity of [...a, ...b]) {
+    // Where it was named last counts.
+    found.delete(keyOf(entity));
+    found.set(keyOf(entity), entity);
+  }
+  return [...found.values()];
 }
 
 /** Takes all of `b` away from `a` where it is all there; else adds it. */

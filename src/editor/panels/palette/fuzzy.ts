@@ -6,7 +6,7 @@ export function plain(text: string): string {
 }
 
 const WORD_START = 8;
-const IN_A_ROW = 5;
+const IN_A_ROW = 10;
 const GAP = 0.25;
 /** Every place of the first letter is tried as a beginning, up to so many. */
 const MOST_STARTS = 8;
