@@ -15,6 +15,7 @@ it('a lesson shows, explains and changes the picture, and leaves nothing behind'
   const { page } = lesson;
 
   await page.click('.topbar >> text="Learn"');
+  await page.waitForSelector('.lesson-card');
   expect(await page.locator('.lesson-card').count()).toBeGreaterThanOrEqual(8);
   await page.click('[data-lesson="masking"]');
   await page.waitForSelector('.lesson-step h2:has-text("In each other")');
