@@ -121,11 +121,13 @@ export function createCameraControl(
       const halfAngle = Math.atan(Math.tan((camera.fov * Math.PI) / 360) * Math.min(1, camera.aspect));
       const distance = (1.15 * sphere.radius) / Math.sin(halfAngle);
       const away = camera.position.clone().sub(controls.target).normalize();
+      if (away.lengthSq() === 0) away.set(0, 0, 1);
       goTo({ position: sphere.center.clone().addScaledVector(away, distance), target: sphere.center }, label);
     },
     lookFrom(from, label) {
       const target = controls.target.clone();
-      const distance = camera.position.distanceTo(target);
+      // A camera in what it looks at steps back a metre.
+      const distance = camera.position.distanceTo(target) || 1;
       goTo({ position: target.clone().addScaledVector(from, distance), target }, label);
     },
     step({ right = 0, up = 0, distance = 1 }) {

@@ -21,6 +21,11 @@ describe('a camera on its way', () => {
     }
   });
 
+  it('that is in what it looks at goes at once', () => {
+    const to = pose(new Vector3(1, 2, 3));
+    expect(poseBetween(pose(new Vector3()), to, 0.5)).toBe(to);
+  });
+
   it('goes the shorter way round', () => {
     const from = pose(new Vector3(-0.1, 0, -5));
     const to = pose(new Vector3(0.1, 0, -5));

@@ -15,6 +15,8 @@ export function poseBetween(from: Pose, to: Pose, part: number): Pose {
   const [a, b] = [from, to].map(({ position, target }) =>
     new Spherical().setFromVector3(position.clone().sub(target)),
   ) as [Spherical, Spherical];
+  // A camera in what it looks at has no direction to turn from.
+  if (a.radius === 0 || b.radius === 0) return to;
   const turn = thetaOf(b) - thetaOf(a);
   const shorter = turn - 2 * Math.PI * Math.round(turn / (2 * Math.PI));
   const arm = new Vector3().setFromSphericalCoords(
