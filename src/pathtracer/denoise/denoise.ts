@@ -63,6 +63,8 @@ export async function denoise(
     onProgress?.(1);
     return new Float32Array(film.radiance.length).map((_, i) => {
       const [pixel, c] = [Math.floor(i / 3), i % 3];
+      // What no surface covers is an image, seen sharply: what is bright in it, such as a sun, is no speck to be spread.
+      if (planes.alpha[pixel] === 0 && film.count[pixel]! > 0) return film.radiance[i]! / film.count[pixel]!;
       return light.channels[c]![pixel]! * divisor[c]![pixel]!;
     });
   } finally {
