@@ -30,27 +30,33 @@ async function leftInEnglish({ page }: LabPage): Promise<string[]> {
   return (seen as string[]).filter((text) => known.has(text));
 }
 
-/** What opens each part of the page, and what closes it again. */
-const PARTS: readonly (readonly [string, (page: LabPage) => Promise<unknown>, string?])[] = [
-  ['what is seen first', async () => {}],
+interface Part {
+  readonly name: string;
+  open(page: LabPage): Promise<unknown>;
+  /** What is there once it is open. */
+  readonly shows?: string;
+  readonly close?: string;
+}
+
+const press = (keys: string) => (page: LabPage) => page.page.keyboard.press(keys);
+const click = (name: string) => (page: LabPage) =>
+  page.page.getByRole('button', { name, exact: true }).first().click();
+
+const PARTS: readonly Part[] = [
+  { name: 'what is seen first', open: async () => {} },
   ...['Archivo', 'Edición', 'Añadir', 'Ajustes'].map(
-    (name) =>
-      [
-        name,
-        ({ page }: LabPage) => page.getByRole('button', { name, exact: true }).first().click(),
-        'Escape',
-      ] as const,
+    (name): Part => ({ name, open: click(name), shows: '.menu', close: 'Escape' }),
   ),
-  ['a light', (page) => page.select('lights', 'red')],
-  ['an object', (page) => page.select('objects', 'sphere')],
-  ['a material', (page) => page.select('materials', 'cone')],
-  ['the bench', ({ page }) => page.keyboard.press('b'), 'b'],
-  ['the palette', ({ page }) => page.keyboard.press('Control+k'), 'Escape'],
-  ['the history', ({ page }) => page.keyboard.press('Control+Alt+z'), 'Escape'],
-  ['the library', ({ page }) => page.keyboard.press('m'), 'm'],
-  ['both pictures', ({ page }) => page.keyboard.press('3'), '1'],
-  ['the shortcuts', ({ page }) => page.keyboard.press('?'), 'Escape'],
-  ['the documents', ({ page }) => page.keyboard.press('Control+Shift+O'), 'Escape'],
+  { name: 'a light', open: (page) => page.select('lights', 'red') },
+  { name: 'an object', open: (page) => page.select('objects', 'sphere') },
+  { name: 'a material', open: (page) => page.select('materials', 'cone') },
+  { name: 'the bench', open: press('b'), close: 'b' },
+  { name: 'the palette', open: press('Control+k'), shows: '.palette-item', close: 'Escape' },
+  { name: 'the history', open: press('Control+Alt+z'), shows: '.history', close: 'Escape' },
+  { name: 'the shortcuts', open: press('?'), shows: 'dialog.shortcuts', close: 'Escape' },
+  { name: 'the documents', open: press('Control+Shift+O'), shows: 'dialog.documents', close: 'Escape' },
+  { name: 'both pictures', open: press('3'), shows: '.tracing-progress', close: '1' },
+  { name: 'the library', open: press('m'), shows: '.library-grid' },
 ];
 
 it('the page of a Spanish browser is Spanish; English is chosen in the settings, and nothing is lost', async () => {
@@ -58,11 +64,14 @@ it('the page of a Spanish browser is Spanish; English is chosen in the settings,
   const page = await lab.open({ locale: 'es-ES', query: '?scene=thesis-demo02' });
   await page.ready();
   expect(await page.page.evaluate('document.documentElement.lang')).toBe('es');
-  for (const [part, open, close] of PARTS) {
+  for (const { name, open, shows, close } of PARTS) {
     await open(page);
-    await page.page.waitForTimeout(100);
-    expect([part, await leftInEnglish(page)]).toEqual([part, []]);
-    if (close) await page.page.keyboard.press(close);
+    const shown = shows ? page.page.locator(shows).first() : null;
+    await shown?.waitFor();
+    expect([name, await leftInEnglish(page)]).toEqual([name, []]);
+    if (!close) continue;
+    await page.page.keyboard.press(close);
+    await shown?.waitFor({ state: 'hidden' });
   }
 
   // What a room below the editor says of an edit, and what Intl says of its time.
