@@ -90,7 +90,18 @@ export class AssetLoader {
 
   /** The caller's own, to dispose of. */
   async preset(name: EnvironmentPreset): Promise<THREE.DataTexture> {
-    return decodeEnvironment(bytesOf(await loadPreset(name)), name);
+    let image: string;
+    try {
+      image = await loadPreset(name);
+    } catch (cause) {
+      throw new Error(
+        `the environment "${name}" did not come; without a network only what was loaded before is there`,
+        {
+          cause,
+        },
+      );
+    }
+    return decodeEnvironment(bytesOf(image), name);
   }
 
   dispose(): void {

@@ -65,7 +65,12 @@ export class EnvironmentMirror {
         source.type === 'preset'
           ? this.#assets.preset(source.name)
           : this.#assets.environment(document.assets[source.asset] as Asset);
-      this.#pending.add(loading, (texture) => {
+      const failed = loading.catch((error: unknown) => {
+        // What did not come may be asked for again.
+        if (this.#identity === identity) this.#identity = 'none';
+        throw error;
+      });
+      this.#pending.add(failed, (texture) => {
         // Another source may have been chosen while this one was on its way.
         if (this.#identity !== identity) texture.dispose();
         else {
