@@ -72,9 +72,10 @@ function shapeTexts(shape: Readonly<Record<string, unknown>>, from: string): Roo
 }
 
 function modelTexts(): RoomText[] {
-  return [...shippedModels.values()].flatMap(({ name, file }) =>
+  return [...shippedModels.values()].flatMap(({ name, file, terms }) =>
     [
       file.title,
+      ...terms.filter((term) => term !== 'BRDF'),
       ...file.parameters.flatMap((parameter) => [wordsOf(parameter.name), parameter.description]),
     ].map((text) => ({ text, from: `models/${name}.brdf` })),
   );

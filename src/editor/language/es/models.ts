@@ -4,6 +4,14 @@ import type { Catalogue } from '../catalogue.ts';
 export const models: Catalogue = {
   'Cook-Torrance: a rough surface of tiny mirrors over a matte base':
     'Cook-Torrance: una superficie rugosa de espejos diminutos sobre una base mate',
+  multipleScatteringLobe: 'lóbulo de dispersión múltiple',
+  withMultipleScattering: 'con dispersión múltiple',
+  diffuseLobe: 'lóbulo difuso',
+  specularLobe: 'lóbulo especular',
+  distribution: 'distribución',
+  fresnel: 'Fresnel',
+  masking: 'enmascaramiento',
+  viewMasking: 'enmascaramiento de la vista',
   'Colour of the matte base, and of the reflection where metallic. Linear Rec. 709.':
     'Color de la base mate, y del reflejo donde es metálica. Rec. 709 lineal.',
   Kd: 'kd',
@@ -20,6 +28,8 @@ export const models: Catalogue = {
     'Índice de refracción: 1 aire (sin reflejo de frente), 1.33 agua, 1.5 vidrio, 2.42 diamante.',
   'Glass, water, gems: a rough boundary of a transparent body, which reflects and refracts':
     'Vidrio, agua, gemas: el límite rugoso de un cuerpo transparente, que refleja y refracta',
+  reflection: 'reflexión',
+  refraction: 'refracción',
   'Index of refraction of the body: 1.33 water, 1.5 glass, 1.77 sapphire, 2.42 diamond.':
     'Índice de refracción del cuerpo: 1.33 agua, 1.5 vidrio, 1.77 zafiro, 2.42 diamante.',
   "0 clear, 1 frosted. The facets' width alpha is its square.":
@@ -41,6 +51,9 @@ export const models: Catalogue = {
     'La parte de la luz que se refleja, por color: 0 negro, 1 toda. Rec. 709 lineal.',
   "The principled model with light that passes through: Disney's model of 2012 grown into a BSDF":
     'El modelo principled con luz que atraviesa: el modelo de Disney de 2012 convertido en una BSDF',
+  sheenLobe: 'lóbulo aterciopelado',
+  clearcoatLobe: 'lóbulo del barniz',
+  transmissionLobe: 'lóbulo de transmisión',
   'Base color': 'Color base',
   "The surface's colour; of clear bodies what two passes through the surface leave. Linear Rec. 709.":
     'El color de la superficie; en cuerpos claros, lo que dejan dos pasos por la superficie. Rec. 709 lineal.',
@@ -79,6 +92,8 @@ export const models: Catalogue = {
   'Light scattered inside, over the same way: 0 is clear, much is milk, wax or skin.':
     'Luz que se dispersa por dentro en el mismo recorrido: 0 es claro, mucha es leche, cera o piel.',
   'The principled model as the thesis writes it': 'El modelo principled como lo escribe la tesis',
+  subsurfaceLobe: 'lóbulo subsuperficial',
+  clearcoatDistribution: 'distribución del barniz',
   "The surface's colour: of the base where metallic is 0, of the reflection where it is 1. Linear Rec. 709.":
     'El color de la superficie: de la base donde metallic es 0, del reflejo donde es 1. Rec. 709 lineal.',
   Subsurface: 'Dispersión subsuperficial',

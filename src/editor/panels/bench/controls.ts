@@ -2,6 +2,7 @@
 import { turning } from '../../../analysis/plots/azimuth-slice.ts';
 import { substances } from '../../../analysis/substances/table.ts';
 import { t, translate } from '../../language/language.ts';
+import { termLabel } from '../../language/terms.ts';
 import { h } from '../../ui/dom.ts';
 import { type Choice, row, selectField, switchField } from '../../ui/fields.ts';
 import { sliderField } from '../../ui/slider-field.ts';
@@ -145,7 +146,9 @@ export function createControls({ change, placeLight }: ControlActions): Controls
     element: h('div', { class: 'bench-controls' }, ...entries.map(([, control]) => control.element)),
     show(settings, views, terms, parameters) {
       const wanted = new Set(views.flatMap((view) => viewInfo[view].controls));
-      term.setChoices(terms.map((value) => ({ value, label: value === 'BRDF' ? t('Whole model') : value })));
+      term.setChoices(
+        terms.map((value) => ({ value, label: value === 'BRDF' ? t('Whole model') : termLabel(value) })),
+      );
       parameter.setChoices(parameters.map((value) => ({ value, label: value })));
       for (const [key, { element, show }] of entries) {
         element.hidden = !wanted.has(key);

@@ -4,6 +4,7 @@
  */
 import { findModel } from '../../../scene/models.ts';
 import { t } from '../../language/language.ts';
+import { termLabel } from '../../language/terms.ts';
 import { selectedMaterial } from '../../selected-material.ts';
 import type { Session } from '../../session.ts';
 import { h } from '../../ui/dom.ts';
@@ -31,7 +32,7 @@ export function createTermSelect({ store, state }: Session): HTMLElement {
       .filter((name) => name !== 'BRDF')
       .map((name) => ({
         value: choiceOf({ material: id, name }),
-        label: name,
+        label: termLabel(name),
         ...(material && { group: `${material.name} · ${material.model}` }),
       }));
   };
