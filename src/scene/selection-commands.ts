@@ -24,6 +24,7 @@ export function removeEntities(
   groups: readonly string[] = [],
 ): void {
   const { document } = store;
+  for (const { kind, id } of refs) entity(document, kind, id);
   for (const id of groups) entity(document, 'groups', id);
   const all = unique([...refs, ...groups.flatMap((id) => membersOf(document, id))]);
   const locked = new Set(lockedOf(document, all).map(keyOf));

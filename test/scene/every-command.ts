@@ -177,6 +177,7 @@ function membersIn({ document }: DocumentStore): MemberRef[] {
 /** What is refused whatever the document is: each has to throw, and to change nothing. */
 export const wrongCommands: readonly SceneCommand[] = [
   (target) => removeEntities(target, [{ kind: 'objects', id: 'nothing' }]),
+  (target) => removeEntities(target, [{ kind: 'materials', id: 'nothing' }]),
   (target) => void duplicateEntities(target, [{ kind: 'lights', id: '__proto__' }]),
   (target) => setVisible(target, [{ kind: 'objects', id: 'constructor' }], false),
   (target) => void groupEntities(target, []),

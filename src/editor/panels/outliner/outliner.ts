@@ -37,6 +37,8 @@ export function createOutliner(session: Session): Outliner {
   let current = 'scene';
   let anchor = 'scene';
   let renaming = false;
+  /** The selection is being changed here: the keys are where the person put them. */
+  let choosing = false;
 
   const list = h('div', {
     class: 'outliner-tree',
@@ -110,6 +112,7 @@ export function createOutliner(session: Session): Outliner {
     const { selected } = state.value;
     current = row.key;
     const from = indexOf(anchor);
+    choosing = true;
     if (how === 'extend' && from >= 0) state.selectAll(between(document, rows, from, index));
     else if (how === 'add' && from >= 0)
       state.selectAll(union(selected, between(document, rows, from, index)));
@@ -119,7 +122,9 @@ export function createOutliner(session: Session): Outliner {
       // A title has nothing that could be selected, and takes nothing away.
       else if (row.target.type !== 'section') state.selectAll(own);
     }
-    view.update(rows.length);
+    choosing = false;
+    // A change of what is selected draws the rows.
+    if (state.value.selected === selected) view.update(rows.length);
     view.reveal(index);
   }
 
@@ -214,7 +219,8 @@ export function createOutliner(session: Session): Outliner {
     if (index < 0) return;
     current = key;
     anchor = key;
-    view.reveal(index);
+    // Nothing is no reason to leave the place in a long list.
+    if (entity) view.reveal(index);
   }
 
   store.subscribe(({ document, previous, reason }) => {
@@ -224,7 +230,7 @@ export function createOutliner(session: Session): Outliner {
   });
   state.subscribe(({ selected, selection }, previous) => {
     if (selected === previous.selected) return;
-    reveal(selection);
+    if (!choosing) reveal(selection);
     view.update(rows.length);
   });
   // The height of what is seen is known only on the page.

@@ -69,10 +69,13 @@ export function treeRows(document: Document, { folded, query }: TreeOptions): Tr
     const { kind, id } = entity;
     const found = document[kind][id];
     if (!found) return null;
-    const { icon, texts } = kindOf(document, entity);
     const { visible, locked } = 'visible' in found ? found : { visible: null, locked: null };
-    const state = [visible === false ? t('hidden') : '', locked ? t('locked') : ''];
-    if (!all && !matches(found.name, ...texts, ...state)) return null;
+    const isFound = () => {
+      const state = [visible === false ? t('hidden') : '', locked ? t('locked') : ''];
+      return matches(found.name, ...kindWords(document, entity), ...state);
+    };
+    if (!all && !isFound()) return null;
+    const icon = iconOf(document, entity);
     const target = { type: 'entity', entity } as const;
     return item({ key: entityKey(entity), target, name: found.name, icon, level, visible, locked });
   };
@@ -171,14 +174,26 @@ function contentsOf(document: Document): ReadonlyMap<string | null, Contents> {
   return found;
 }
 
-/** The symbol of what it is, and the words by which it is found. */
-export function kindOf(document: Document, { kind, id }: Entity): { icon: IconName; texts: string[] } {
-  if (kind === 'materials')
-    return { icon: 'material', texts: [t('material'), document.materials[id]?.model ?? ''] };
-  if (kind === 'lights') {
-    const type = document.lights[id]?.type ?? 'point';
-    return { icon: type, texts: [t('light'), translate(`${type} light`)] };
-  }
+/** The symbol of what it is. */
+export function iconOf(document: Document, { kind, id }: Entity): IconName {
+  if (kind === 'materials') return 'material';
+  if (kind === 'lights') return document.lights[id]?.type ?? 'point';
   const type = document.objects[id]?.geometry.type ?? 'gltf';
-  return { icon: isIcon(type) ? type : 'mesh', texts: [t('object'), translate(geometryNames[type])] };
+  return isIcon(type) ? type : 'mesh';
+}
+
+/** The words by which it is found; the last of them says most. */
+export function kindWords(document: Document, { kind, id }: Entity): readonly [general: string, own: string] {
+  if (kind === 'materials') return [t('material'), document.materials[id]?.model ?? ''];
+  if (kind === 'lights') return [t('light'), inWords(`${document.lights[id]?.type ?? ''} light`)];
+  return [t('object'), inWords(geometryNames[document.objects[id]?.geometry.type ?? 'gltf'])];
+}
+
+/** There are few kinds and thousands of things; a translation is looked up once. */
+const translated = new Map<string, string>();
+
+function inWords(english: string): string {
+  const text = translated.get(english) ?? translate(english);
+  translated.set(english, text);
+  return text;
 }

@@ -5,7 +5,7 @@ import { t } from '../../language/language.ts';
 import type { Session } from '../../session.ts';
 import type { Entity } from '../../state.ts';
 import type { IconName } from '../../ui/icons.ts';
-import { kindOf } from '../outliner/tree.ts';
+import { iconOf, kindWords } from '../outliner/tree.ts';
 import { matchScore, plain } from './fuzzy.ts';
 
 export interface PaletteItem {
@@ -45,13 +45,12 @@ export function paletteItems({ actions, store, state, focusSelection }: Session)
     };
   };
   const ofEntity = (entity: Entity, name: string): PaletteItem => {
-    const { icon, texts } = kindOf(document, entity);
-    const kind = texts.at(-1) ?? '';
+    const [general, kind] = kindWords(document, entity);
     return {
       title: name,
       kind,
-      icon,
-      text: plain(`${name} ${texts.join(' ')}`),
+      icon: iconOf(document, entity),
+      text: plain(`${name} ${general} ${kind}`),
       run() {
         state.select(entity);
         if (entity.kind !== 'materials') focusSelection();
