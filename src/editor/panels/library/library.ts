@@ -100,7 +100,8 @@ export function createLibrary(session: Session, thumbnails: Thumbnails, jobOf: J
     const wanted = new Set<string>();
     list.replaceChildren(
       ...sections.flatMap(({ key, title, offers }) => [
-        h('h2', {}, title, h('span', { class: 'count' }, String(offers.length))),
+        // The group below has the same name.
+        h('h2', { 'aria-hidden': 'true' }, title, h('span', { class: 'count' }, String(offers.length))),
         h(
           'div',
           { class: 'library-grid', role: 'group', 'aria-label': title, 'data-section': key },
