@@ -18,8 +18,17 @@ const TRANSLATED_HOLES: ReadonlySet<string> = new Set([
   'note',
 ]);
 
+/** What stands in these holes; in any other may stand anything. */
+const HOLE_FORMS: Readonly<Record<string, string>> = {
+  count: '\\d+',
+  line: '\\d+',
+  byte: '\\d+',
+  // Two holes side by side: this one is the end of a verdict's sentence.
+  where: '[Ww]ith .+ from the normal',
+};
+
 /** A pattern of fewer letters, such as `{min} to {max}`, would find itself in names, too. */
-const FEWEST_LETTERS = 4;
+const FEWEST_LETTERS = 3;
 
 const patternsOf = new WeakMap<Catalogue, readonly Pattern[]>();
 
@@ -92,7 +101,8 @@ function patterns(catalogue: Catalogue): readonly Pattern[] {
     const letters = words.join('').replace(/\P{L}/gu, '').length;
     if (words.length === 1 || letters < FEWEST_LETTERS) return [];
     const holes = [...source.matchAll(/\{(\w+)\}/g)].map((match) => match[1] ?? '');
-    const expression = new RegExp(`^${words.map(literally).join('(.+?)')}$`, 's');
+    const forms = [...holes.map((name) => `(${HOLE_FORMS[name] ?? '.+?'})`), ''];
+    const expression = new RegExp(`^${words.map((part, i) => literally(part) + forms[i]).join('')}$`, 's');
     const target = typeof entry === 'string' ? entry : entry.other;
     // Around a text of the catalogue: that one is translated for itself.
     const around = words[0] === '' && TRANSLATED_HOLES.has(holes[0] ?? '');
