@@ -3,6 +3,7 @@
  * loaded when it is opened first.
  */
 
+import { materialLibrary } from '../../../analysis/library/library.ts';
 import { startComparison } from '../../compare/start.ts';
 import { t } from '../../language/language.ts';
 import { selectedMaterial } from '../../selected-material.ts';
@@ -249,9 +250,24 @@ export function createLibrary(session: Session, thumbnails: Thumbnails, jobOf: J
   store.subscribe(({ document, previous }) => {
     if (document.materials !== previous.materials || document.models !== previous.models) later();
   });
+  /** Once it is known which pictures there are, those that are kept beside them can go. */
+  const prune = () => {
+    const kept = [...cards.values()].filter(({ offer }) => offer.kind !== 'scene');
+    if (kept.length < materialLibrary.size + own.length) return;
+    const keys = kept.flatMap(({ pictureKey }) => pictureKey ?? []);
+    void thumbnails
+      .storage()
+      .then((storage) => storage?.prunePictures(new Set(keys)))
+      .catch(() => {
+        // They only take room; the next session tries again.
+      });
+  };
   let begun = 0;
   thumbnails.onProgress = (done, left) => {
-    if (left === 0) begun = done;
+    if (left === 0) {
+      begun = done;
+      prune();
+    }
     progress.hidden = left < 4;
     progress.value = left === 0 ? 1 : (done - begun) / (done - begun + left);
   };
