@@ -44,7 +44,9 @@ export function prepareLesson(lesson: Lesson, scene: Document): ReadyLesson {
       `there is no material “${shown(material)}”`,
       `one of ${Object.keys(scene.materials).join(', ')}`,
     );
-  const steps = lesson.steps.map((step) => new Preparation(step, scene, material).ready());
+  // As a document it is called what the lesson is called, in its language.
+  const named = { ...scene, name: title, description: summary };
+  const steps = lesson.steps.map((step) => new Preparation(step, named, material).ready());
   for (const definition of definitions.values()) checkDefinition(definition, steps, material);
   return { title, summary, minutes, material, definitions, steps };
 }

@@ -63,7 +63,7 @@ describe('a step', () => {
     const { steps } = read(lessonOf('## One\n:set view.exposure 3\n:without lights.key\n## Two\nText.'));
     expect(steps[0]?.document.view.exposure).toBe(3);
     expect(steps[0]?.document.lights).toEqual({});
-    expect(steps[1]?.document).toBe(scene);
+    expect(steps[1]?.document).toEqual({ ...scene, name: 'Light', description: '' });
   });
 
   it('has text, in which HTML is text', () => {

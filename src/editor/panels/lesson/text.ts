@@ -46,6 +46,6 @@ export function fitFormulas(element: HTMLElement): void {
   for (const line of element.querySelectorAll<HTMLElement>('.lesson-formula')) {
     line.style.fontSize = '';
     const share = line.clientWidth / line.scrollWidth;
-    if (share < 1) line.style.fontSize = `${Math.max(SMALLEST, share - 0.01)}em`;
+    if (share < 1) line.style.fontSize = `${Math.max(SMALLEST, share - 0.04)}em`;
   }
 }
