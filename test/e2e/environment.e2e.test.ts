@@ -105,6 +105,16 @@ test('soft boxes are arranged by pointer and by keys; a transparent background i
   await page.click('[data-action=undo]');
   expect((await boxes())[0]).toEqual(box);
 
+  await page.click('[aria-label="Choose an environment by its picture"]');
+  const options = page.locator('.environment-option');
+  await options.first().waitFor();
+  expect(await options.count()).toBe(20);
+  // The present one has the focus; upwards and to its left is the sky.
+  await page.keyboard.press('ArrowLeft');
+  await page.keyboard.press('Enter');
+  expect((await opened.document()).environment.source.type).toBe('sky');
+  expect(await options.count()).toBe(0);
+
   await page.locator('select[aria-label=Background]').selectOption('transparent');
   expect(await page.locator('.viewport canvas').first().getAttribute('class')).toContain('transparent');
   await opened.picture();

@@ -27,6 +27,7 @@ import { t } from '../../language/language.ts';
 import type { Session } from '../../session.ts';
 import { h } from '../../ui/dom.ts';
 import { row, selectField, switchField } from '../../ui/fields.ts';
+import { icon } from '../../ui/icons.ts';
 import { toastError } from '../../ui/toast.ts';
 import { tryEdit } from './cell.ts';
 import { type Bound, choiceLabel } from './field.ts';
@@ -222,5 +223,25 @@ function environmentChoice(session: Session): Bound {
     const name = source.type === 'hdr' ? source.asset : source.type === 'preset' ? source.name : null;
     field.show(name === null ? source.type : `${source.type}:${name}`);
   };
-  return { element: row({ label: t('Source'), tip: t('Light from all around') }, field.element), update };
+  const pictures = h(
+    'button',
+    {
+      type: 'button',
+      class: 'icon-button',
+      'aria-haspopup': 'dialog',
+      'aria-label': t('Choose an environment by its picture'),
+      tip: t('Choose by pictures'),
+      on: {
+        click: () =>
+          import('../environments/picker.ts')
+            .then(({ openEnvironmentPicker }) => openEnvironmentPicker(session, pictures))
+            .catch((error: unknown) => toastError(t('The pictures cannot be shown'), error)),
+      },
+    },
+    icon('image'),
+  );
+  return {
+    element: row({ label: t('Source'), tip: t('Light from all around'), after: pictures }, field.element),
+    update,
+  };
 }
