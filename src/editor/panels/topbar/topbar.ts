@@ -164,6 +164,7 @@ function editEntries(session: Session): MenuEntry[] {
     actionEntry(actions, 'edit.showAll'),
     actionEntry(actions, 'edit.unlockAll'),
     actionEntry(actions, 'edit.find', { icon: 'search' }),
+    actionEntry(actions, 'page.palette'),
     'separator',
     { heading: t('Preset of the effects') },
     ...presetEntries(session),
