@@ -167,6 +167,11 @@ export const page: Catalogue = {
   'Licences of Irradia and of what is in it': 'Licencias de Irradia y de lo que contiene',
   'They are in the file licences.txt beside the page, which did not come.':
     'Están en el archivo licences.txt junto a la página, que no ha llegado.',
+  Environment: 'Entorno',
+  'Choose an environment': 'Elegir un entorno',
+  'The environment stays as it is': 'El entorno se queda como está',
+  'Sky and sun': 'Cielo y sol',
+  'Studio of soft boxes': 'Estudio de cajas de luz',
   History: 'Historial',
   'Not moved': 'No se ha movido',
   Outliner: 'Esquema',
