@@ -62,6 +62,8 @@ const PARTS: readonly Part[] = [
 it('the page of a Spanish browser is Spanish; English is chosen in the settings, and nothing is lost', async () => {
   // A scene of little, which a GPU made of software draws at once.
   const page = await lab.open({ locale: 'es-ES', query: '?scene=thesis-demo02' });
+  // The page's script waits for the catalogue; the browser's load event does not wait for the script then.
+  await page.until(`typeof irradia === 'object'`);
   await page.ready();
   expect(await page.page.evaluate('document.documentElement.lang')).toBe('es');
   for (const { name, open, shows, close } of PARTS) {
