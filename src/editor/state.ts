@@ -2,11 +2,13 @@
  * The editor's own state: what is selected, what is folded, which units are shown. Nothing here
  * belongs to the scene; the scene's only state is the document.
  */
+import type { EntityKind, EntityRef } from '../scene/entity.ts';
 import type { Document } from '../scene/schema.ts';
 import type { Comparison } from './compare/comparison.ts';
 import { type BenchSettings, initialSettings } from './panels/bench/settings.ts';
 
-export type EntityKind = 'lights' | 'objects' | 'materials';
+export type { EntityKind };
+export type Entity = EntityRef;
 
 /** What the viewport shows: one of the two renderings, both side by side, or how they differ. */
 export const renderings = ['interactive', 'traced', 'split', 'difference'] as const;
@@ -15,12 +17,6 @@ export type Rendering = (typeof renderings)[number];
 /** What a drag in the picture does: nothing but look around, a box around what is to be selected, or a gizmo's handle. */
 export const tools = ['select', 'box', 'move', 'rotate', 'scale'] as const;
 export type Tool = (typeof tools)[number];
-
-/** A light, an object or a material of the document. */
-export interface Entity {
-  readonly kind: EntityKind;
-  readonly id: string;
-}
 
 /** Null is the scene itself: camera, environment, view. */
 export type Selection = Entity | null;
