@@ -18,6 +18,9 @@ export interface LessonSource {
   readonly scene: unknown;
 }
 
+/** More than the longest text of a lesson, four bytes a character at the most (parse.ts). */
+const MOST_BYTES = 2 * 1024 * 1024;
+
 export interface LessonSummary {
   readonly name: string;
   readonly title: string;
@@ -53,7 +56,8 @@ export async function lessonOfFiles(files: readonly File[]): Promise<LessonSourc
   for (const file of files) {
     const match = lessonFile.exec(file.name);
     if (!match) continue;
-    texts.set(match[1]?.toLowerCase() ?? '', await file.text());
+    // Whatever is longer is refused as too long, without being read.
+    texts.set(match[1]?.toLowerCase() ?? '', await file.slice(0, MOST_BYTES).text());
     name ||= file.webkitRelativePath.split('/').at(-2) ?? '';
   }
   const scene = files.find((file) => file.name.toLowerCase() === 'scene.json');
@@ -87,7 +91,8 @@ export async function lessonOfAddress(address: string): Promise<LessonSource> {
 
 /** What is not there is no fault: another language may be. */
 async function fetched(url: URL): Promise<string | Error> {
-  const response = await fetch(url);
+  // Another server is not asked by a detour, either.
+  const response = await fetch(url, { redirect: 'error' });
   if (!response.ok) return new Error(`the server answered ${response.status} ${response.statusText}`);
   return response.text();
 }
