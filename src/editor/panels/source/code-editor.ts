@@ -101,7 +101,12 @@ export function createCodeEditor({ onChange, onLeave, parameters }: CodeEditorOp
     autocompletion({ override: [(context) => complete(context, parameters())], icons: false }),
     brdfLanguage(),
     theme,
-    EditorView.contentAttributes.of({ 'aria-label': t('Source of the model'), 'data-gramm': 'false' }),
+    EditorView.contentAttributes.of({
+      'aria-label': t('Source of the model'),
+      'data-gramm': 'false',
+      // It can be typed in and so has the focus by Tab; this says so to what reads the page.
+      tabindex: '0',
+    }),
     keymap.of([
       ...closeBracketsKeymap,
       ...completionKeymap,
