@@ -3,6 +3,11 @@ import { shippedModels } from '../../../models/index.ts';
 import { createRandom } from '../../../src/analysis/random.ts';
 import { parseDocument } from '../../../src/scene/document.ts';
 import { effectNames, effectShapes } from '../../../src/scene/effects-schema.ts';
+import {
+  environmentSourceShapes,
+  softBoxShape,
+  sunPositionShapes,
+} from '../../../src/scene/environment-schema.ts';
 import { fieldInfo } from '../../../src/scene/fields.ts';
 import { lightShapes, lightTypes } from '../../../src/scene/light-schema.ts';
 import type { Document } from '../../../src/scene/schema.ts';
@@ -86,6 +91,32 @@ function material(structure: Random, numbers: Random): object {
   };
 }
 
+/** @param kind 0..1, which there is */
+function surroundings(kind: number, numbers: Random): object {
+  const source = (type: 'sky' | 'studio', more: object) => ({
+    ...fields(environmentSourceShapes[type], numbers, numbers),
+    type,
+    ...more,
+  });
+  if (kind < 0.4)
+    return { environment: { source: { type: 'constant', color: [numbers(), numbers(), numbers()] } } };
+  if (kind < 0.55) {
+    const sun = { ...fields(sunPositionShapes.direction, numbers, numbers), type: 'direction' };
+    return {
+      environment: { source: source('sky', { sun }), rotation: between([-180, 180], numbers) },
+      background: { type: 'environment', blur: 0 },
+    };
+  }
+  if (kind < 0.7) {
+    const boxes = [0, 1].map(() => ({ ...fields(softBoxShape, numbers, numbers) }));
+    return {
+      environment: { source: source('studio', { boxes }) },
+      background: { type: 'transparent' },
+    };
+  }
+  return {};
+}
+
 /** @param structureSeed what there is @param numbersSeed all of its numbers: another of them compiles nothing */
 export function randomDocument(structureSeed: number, numbersSeed: number): Document {
   const structure = createRandom(structureSeed);
@@ -121,8 +152,7 @@ export function randomDocument(structureSeed: number, numbersSeed: number): Docu
     lights: some(3, light),
     camera: { ...camera, near: 0.05, far: 100 },
     fog: structure() < 0.3 ? fields(fogShape, structure, numbers) : {},
-    environment:
-      structure() < 0.4 ? { source: { type: 'constant', color: [numbers(), numbers(), numbers()] } } : {},
+    ...surroundings(structure(), numbers),
     effects: Object.fromEntries(
       effectNames.map((name) => [name, fields(effectShapes[name], structure, numbers)]),
     ),
