@@ -1,4 +1,7 @@
-/** The picture after a day of commands, all of them undone, is the picture before them, to the bit. */
+/**
+ * The picture after a day of commands, all of them undone, is the picture before them, to the bit. Presets of effects are
+ * not among them: those of `high` and `ultra` have noise that is another in each frame.
+ */
 import { expect, test } from 'vitest';
 import { createRandom } from '../../src/analysis/random.ts';
 import { nodeAssets } from '../../src/cli/node-assets.ts';
