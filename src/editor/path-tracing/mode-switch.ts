@@ -16,9 +16,9 @@ const LABELS: Readonly<Record<Rendering, readonly [label: string, tip: string]>>
 };
 
 export function createModeSwitch({ state }: Session): HTMLElement {
-  const buttons = renderings.map((rendering, i) => {
+  const buttons = renderings.map((rendering) => {
     const [label, tip] = LABELS[rendering];
-    const button = h('button', { type: 'button', role: 'radio', tip: `${tip} (${i + 1})` }, label);
+    const button = h('button', { type: 'button', role: 'radio', tip, keys: `view.${rendering}` }, label);
     button.addEventListener('click', () => state.set({ rendering }));
     return button;
   });
