@@ -56,7 +56,7 @@ export const softBoxShape = {
   azimuth: number('Where its middle is seen, from north (-z) by east (+x)', {
     range: [-360, 360],
     unit: '°',
-    slider: [-180, 180],
+    slider: [0, 360],
     step: 1,
   }),
   elevation: number('How high its middle is seen', {
