@@ -2,6 +2,7 @@
 import * as THREE from 'three/webgpu';
 import { lightColor } from '../../scene/light-color.ts';
 import type { Camera, Document, Light } from '../../scene/schema.ts';
+import { lightsOf, SUN_ID } from '../../scene/sky/sun.ts';
 import type { Notes } from '../gltf/notes.ts';
 import type { GltfWriter, Json } from '../gltf/writer.ts';
 
@@ -31,10 +32,11 @@ export function exportCamera(
   notes.add('the point that the camera turns about is not in a glTF file');
 }
 
-/** KHR_lights_punctual. */
-export function exportLights({ lights }: Document, writer: GltfWriter, notes: Notes): void {
+/** KHR_lights_punctual; a sky's sun among them while it is up. */
+export function exportLights(document: Document, writer: GltfWriter, notes: Notes): void {
   const written: Json[] = [];
-  for (const light of Object.values(lights)) {
+  for (const [id, light] of Object.entries(lightsOf(document))) {
+    if (id === SUN_ID && light.type === 'directional' && light.illuminance === 0) continue;
     const source = punctual(light, notes);
     if (source === null) continue;
     const { position, target } = light as Extract<Light, { type: 'spot' }>;
