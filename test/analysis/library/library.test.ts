@@ -73,7 +73,7 @@ describe('the library of materials', () => {
   });
 
   test('has metals in the colour of their n and k', () => {
-    const gold = materialLibrary.get('gold-polished')?.look.parameters.baseColor as number[];
+    const gold = materialLibrary.get('gold-polished')?.look.parameters.baseColor as readonly number[];
     const exact = reflectedColor(substances.get('gold')!, 1);
     for (const [i, c] of gold.entries()) expect(c).toBeCloseTo(Math.min(1, exact[i]!), 12);
   });
