@@ -83,7 +83,7 @@ it('has surroundings without a hue', () => {
 it('is the only place with colours, but for those that are the same in both themes', () => {
   /** The mark of the page, the picker's own colours, and what stands on a picture. */
   const same =
-    /brand-mark|color-square|color-hue|\.handle|split-line|axes-gizmo|axis-end|studio-picture|material-drop|transparent/;
+    /brand-mark|color-square|color-hue|\.handle|split-line|axes-gizmo|axis-end|studio-picture|environment-picture|material-drop|transparent/;
   const found = readdirSync(folder)
     .filter((name) => name !== 'tokens.css')
     .flatMap((name) =>

@@ -17,6 +17,12 @@ export function installLongPress(): void {
     timer = window.setTimeout(() => {
       const { target, clientX, clientY } = event;
       end();
+      // The menu is under the finger: letting go must not choose from it.
+      document.addEventListener('touchend', (up) => up.preventDefault(), {
+        once: true,
+        capture: true,
+        passive: false,
+      });
       target?.dispatchEvent(
         new MouseEvent('contextmenu', { bubbles: true, cancelable: true, clientX, clientY }),
       );

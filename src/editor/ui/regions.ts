@@ -2,14 +2,8 @@
 import { tabStops } from './focus.ts';
 
 const REGIONS = [
-  '.topbar',
-  '.panel-left',
-  '.viewport',
-  '.bench',
-  '.source',
-  '.panel-right',
-  '.status',
-  '.sheet-tabs',
+  ...['.topbar', '.lesson-panel', '.panel-left', '.viewport', '.bench'],
+  ...['.library', '.source', '.panel-right', '.status', '.sheet-tabs'],
 ];
 
 /** What had the focus when a region was left. */
