@@ -258,7 +258,7 @@ export class Director {
     const radiance = denoised?.noisy ?? film.mean();
     const isTransparent = this.#document?.background.type === 'transparent';
     const { camera, settings } = rendering.wish;
-    const { width, height, seed, maxDepth, clamp, strategy } = settings;
+    const { seed, maxDepth, clamp, strategy } = settings;
     const attributes = toAttributes({
       ...origin,
       renderer: 'pathtracer',
