@@ -11,8 +11,9 @@ import {
   straightPhase,
   turningPhase,
 } from './atmosphere.ts';
-import { march, type ScatteredLight, sunlightAt } from './multiple-scattering.ts';
+import type { ScatteredLight } from './multiple-scattering.ts';
 import { type Columns, columnsToSpace } from './optical-depth.ts';
+import { march, sunlightAt } from './ray-march.ts';
 
 const WIDTH = 512;
 const HEIGHT = 256;
