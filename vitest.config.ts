@@ -4,9 +4,11 @@ import { repository } from './vite.shared.config.ts';
 
 /**
  * Three kinds of test, told apart by their names:
- *   x.test.ts      plain Node, in parallel
- *   x.gpu.test.ts  a GPU in Node (Dawn), one at a time: each device takes every core in software
- *   x.e2e.test.ts  a real browser, one at a time
+ *   x.test.ts      plain Node
+ *   x.gpu.test.ts  a GPU in Node (Dawn)
+ *   x.e2e.test.ts  a real browser
+ * As many files at once as there are cores: a software GPU takes all of them to draw, but only one to compile shaders, and
+ * a page often waits.
  * The timeouts only catch a hang; no test says how fast something must be.
  *
  * The files of a kind share processes, and what these have imported: importing the library and three.js afresh for every
@@ -14,9 +16,10 @@ import { repository } from './vite.shared.config.ts';
  */
 const gpu = 'test/**/*.gpu.test.ts';
 const e2e = 'test/**/*.e2e.test.ts';
-const alone = {
+const withGpu = {
   pool: 'forks',
-  maxWorkers: 1,
+  // Vitest would leave one core to itself, which has little to do once all is imported.
+  maxWorkers: availableParallelism(),
   isolate: false,
   testTimeout: 300_000,
   hookTimeout: 300_000,
@@ -34,7 +37,6 @@ export default defineConfig({
           include: ['test/**/*.test.ts'],
           exclude: [gpu, e2e],
           isolate: false,
-          // Vitest would leave one core to itself, which has little to do once all is imported.
           maxWorkers: availableParallelism(),
           testTimeout: 60_000,
           hookTimeout: 60_000,
@@ -46,7 +48,7 @@ export default defineConfig({
         test: {
           name: { label: 'gpu', color: 'cyan' },
           include: [gpu],
-          ...alone,
+          ...withGpu,
           sequence: { groupOrder: 1 },
         },
       },
@@ -55,8 +57,8 @@ export default defineConfig({
         test: {
           name: { label: 'e2e', color: 'magenta' },
           include: [e2e],
-          ...alone,
-          sequence: { groupOrder: 2 },
+          ...withGpu,
+          sequence: { groupOrder: 1 },
         },
       },
     ],

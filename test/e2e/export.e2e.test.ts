@@ -7,7 +7,7 @@ import { type LabPage, openLab } from './lab.ts';
 
 const lab = await openLab();
 const page: LabPage = await (
-  await lab.open({ query: '?scene=thesis-demo02', width: 560, height: 380 })
+  await lab.open({ query: '?scene=thesis-demo02', width: 880, height: 380 })
 ).ready();
 
 async function downloaded(act: () => Promise<void>): Promise<{ name: string; bytes: Buffer }> {

@@ -24,7 +24,7 @@ const files = { '/ball.json': JSON.stringify(ball) };
 const query = '?scene=/ball.json';
 
 test('a preset is chosen in the inspector and undone; the GPU’s times are beside the effects while they are asked for', async () => {
-  const opened = await (await lab.open({ query, files, width: 640, height: 400 })).ready();
+  const opened = await (await lab.open({ query, files, width: 880, height: 400 })).ready();
   const { page } = opened;
   const preset = page.locator('select[aria-label=Preset]');
   const plain = await opened.picture();
@@ -53,7 +53,7 @@ test('a preset is chosen in the inspector and undone; the GPU’s times are besi
 });
 
 test('while things move fewer pixels are drawn, to hold the target; a picture that stands still has all', async () => {
-  const opened = await (await lab.open({ query, files, width: 640, height: 400 })).ready();
+  const opened = await (await lab.open({ query, files, width: 880, height: 400 })).ready();
   const { page } = opened;
   const full = await opened.picture();
   const resolution = page.locator('.figure:has(dt:text-is("Resolution")) dd');
