@@ -1,11 +1,13 @@
 /** The built lab in a real browser, for tests that use it as a person does. */
+import { readdirSync, readFileSync, statSync } from 'node:fs';
+import { join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import type { BrowserContext, Page } from 'playwright-core';
-import { build } from 'vite';
 import { afterAll, expect } from 'vitest';
 import { startStaticServer } from '../../src/cli/static-server.ts';
 import { pageHeaders } from '../../src/page-policy.ts';
 import type { Document } from '../../src/scene/schema.ts';
+import { buildAll } from '../../tools/build.mjs';
 import { testBrowser, watchErrors } from '../support/page.ts';
 
 export interface LabOptions {
@@ -185,14 +187,11 @@ export class LabPage {
   }
 }
 
+/** The lab as it ships, built anew only if it is older than its sources. */
 async function buildLab(): Promise<Map<string, Uint8Array | string>> {
-  const result = await build({
-    configFile: fileURLToPath(new URL('../../vite.config.ts', import.meta.url)),
-    logLevel: 'error',
-    build: { write: false, minify: false, sourcemap: false },
-  });
-  const { output } = result as {
-    output: { fileName: string; code?: string; source?: Uint8Array | string }[];
-  };
-  return new Map(output.map((file) => [`/${file.fileName}`, file.code ?? file.source ?? '']));
+  await buildAll(['lab'], { ifStale: true });
+  const folder = fileURLToPath(new URL('../../dist/lab/', import.meta.url));
+  const names = readdirSync(folder, { recursive: true, encoding: 'utf8' });
+  const files = names.filter((name) => !name.endsWith('.map') && statSync(join(folder, name)).isFile());
+  return new Map(files.map((name) => [`/${name.replaceAll('\\', '/')}`, readFileSync(join(folder, name))]));
 }

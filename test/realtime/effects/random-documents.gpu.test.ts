@@ -7,7 +7,7 @@ import { testRenderer } from '../../support/gpu.ts';
 import { randomDocument } from './random-documents.ts';
 
 /** How many documents: as many as a test may take time for. All thousand: IRRADIA_RANDOM_DOCUMENTS=1000. */
-const COUNT = Number(process.env.IRRADIA_RANDOM_DOCUMENTS ?? 20);
+const COUNT = Number(process.env.IRRADIA_RANDOM_DOCUMENTS ?? 10);
 /** Documents of the same structure: only the first of them compiles. */
 const ALIKE = 10;
 /** Effects that gather frames have some to gather. */
