@@ -1,5 +1,14 @@
-import { cross, dot, float, If, positionView, vec2, vec3 } from 'three/tsl';
-import { type AnalyticLightNode, type Light, LightingModel, type Node, type NodeBuilder } from 'three/webgpu';
+import { cross, dot, float, If, positionView, renderGroup, uniform, vec2, vec3 } from 'three/tsl';
+import {
+  type AnalyticLightNode,
+  type Camera,
+  type DirectionalLight,
+  type Light,
+  LightingModel,
+  type Node,
+  type NodeBuilder,
+  Vector3,
+} from 'three/webgpu';
 import type { Model } from '../glsl/model.ts';
 import { modelFunctionByLight, type ParameterNodes, type SplitCall } from '../glsl/tsl.ts';
 import { airTo, airToLamp } from './air.ts';
@@ -99,7 +108,8 @@ export class BrdfLightingModel extends LightingModel {
     };
     if (frameContext(builder).rayTracer) return;
     const { N } = this.frame as ShadingFrame;
-    const L = lightDirection.toVar() as Vec3;
+    const { light: source } = lightNode;
+    const L = isDirectional(source) ? viewDirection(source) : (lightDirection.toVar() as Vec3);
     const E = lightColor.toVar() as Vec3;
     const cosine = dot(N, L).toVar();
     // Most fragments face away from most lights, or are outside a spot's cone.
@@ -239,6 +249,29 @@ export class BrdfLightingModel extends LightingModel {
     reflectedLight.indirectSpecular.addAssign(reflected.mul(ambientOcclusion));
   }
 }
+
+const viewDirections = new WeakMap<DirectionalLight, Vec3>();
+
+/** Where a directional light comes from, in view space; three.js computes the same anew for every fragment. */
+function viewDirection(light: DirectionalLight): Vec3 {
+  let direction = viewDirections.get(light);
+  if (!direction) {
+    const target = new Vector3();
+    direction = uniform(new Vector3())
+      .setGroup(renderGroup)
+      .onRenderUpdate(({ camera }, { value }) =>
+        value
+          .setFromMatrixPosition(light.matrixWorld)
+          .sub(target.setFromMatrixPosition(light.target.matrixWorld))
+          .transformDirection((camera as Camera).matrixWorldInverse),
+      ) as unknown as Vec3;
+    viewDirections.set(light, direction);
+  }
+  return direction;
+}
+
+const isDirectional = (light: Light): light is DirectionalLight =>
+  (light as Partial<DirectionalLight>).isDirectionalLight === true;
 
 /** Kept where it is computed: its derivatives do not hold inside branches. */
 function keptPoint({ position, normal, noise }: ShadedPoint): ShadedPoint {

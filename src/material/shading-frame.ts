@@ -4,15 +4,21 @@ import {
   dot,
   float,
   If,
-  modelViewMatrix,
   normalView,
   positionView,
   tangentView,
   uniform,
   vec3,
-  vec4,
 } from 'three/tsl';
-import type { BufferGeometry, Camera, Mesh, Node, NodeBuilder, OrthographicCamera } from 'three/webgpu';
+import {
+  type BufferGeometry,
+  type Camera,
+  type Mesh,
+  type Node,
+  type NodeBuilder,
+  type OrthographicCamera,
+  Vector3,
+} from 'three/webgpu';
 import type { Model } from '../glsl/model.ts';
 import { glslFunction } from '../glsl/tsl.ts';
 import type { BrdfMaterial } from './brdf-material.ts';
@@ -68,9 +74,15 @@ export function shadingFrame(builder: NodeBuilder, model: Model): ShadingFrame {
  * as lathes leave their marks.
  */
 function aroundAxis(N: Vec3): Vec3 {
-  const axis = (modelViewMatrix as unknown as Node<'mat4'>).mul(vec4(0, 1, 0, 0)).xyz as Vec3;
-  return cross(axis, N) as unknown as Vec3;
+  return cross(objectAxis, N) as unknown as Vec3;
 }
+
+/** The object's y axis in view space. A uniform: a product of matrices would cost every fragment as much as a lobe. */
+const objectAxis = uniform(new Vector3()).onObjectUpdate(({ object, camera }, { value }) =>
+  object && camera
+    ? value.setFromMatrixColumn(object.matrixWorld, 1).transformDirection(camera.matrixWorldInverse)
+    : value,
+) as unknown as Vec3;
 
 /** 1 where the material that is drawn is anisotropic; its mesh is given tangents, if it has none. */
 const tangentMatters = uniform(0).onObjectUpdate(({ material, object }) => {
