@@ -1,4 +1,5 @@
-import { join } from 'node:path';
+import { readFileSync } from 'node:fs';
+import { basename, join } from 'node:path';
 import { gzipSync } from 'node:zlib';
 import type { Page, Response } from 'playwright-core';
 import { startStaticServer } from '../src/cli/static-server.ts';
@@ -26,8 +27,8 @@ declare const compiled: { count: number };
 export interface LabResult {
   /** From navigation until the default scene is complete on the screen, in ms. */
   readyMs: number;
-  /** JavaScript that the page loaded for that. */
-  scripts: { name: string; gzipBytes: number }[];
+  /** JavaScript that the page loaded by then: what it names itself, and loaders, workers and data that it asked for. */
+  scripts: { name: string; gzipBytes: number; isNamedByPage: boolean }[];
   /** Shaders, programs and pipelines made because a parameter changed. */
   compiledByChange: number;
 }
@@ -104,11 +105,13 @@ function collectScripts(page: Page): () => Promise<LabResult['scripts']> {
   page.on('response', (response) => {
     if (response.headers()['content-type']?.startsWith('text/javascript')) responses.push(response);
   });
+  const html = readFileSync(join(repository, 'dist/lab/index.html'), 'utf8');
   return () =>
     Promise.all(
-      responses.map(async (response) => ({
-        name: new URL(response.url()).pathname,
-        gzipBytes: gzipSync(await response.body()).length,
-      })),
+      responses.map(async (response) => {
+        const name = new URL(response.url()).pathname;
+        const gzipBytes = gzipSync(await response.body()).length;
+        return { name, gzipBytes, isNamedByPage: html.includes(basename(name)) };
+      }),
     );
 }

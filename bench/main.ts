@@ -33,10 +33,15 @@ async function benchLab(): Promise<void> {
   const results = [];
   for (let i = 0; i < NAVIGATIONS; i++) results.push(await measureLab());
   const [{ scripts, compiledByChange }] = results as [(typeof results)[number]];
-  const kilobytes = scripts.reduce((sum, { gzipBytes }) => sum + gzipBytes, 0) / 1000;
+  const kilobytes = (named: boolean) =>
+    scripts
+      .filter(({ isNamedByPage }) => isNamedByPage === named)
+      .reduce((sum, { gzipBytes }) => sum + gzipBytes / 1000, 0)
+      .toFixed(0);
   const times = results.map(({ readyMs }) => Math.round(readyMs));
   console.log(`\nThe default scene is complete after ${median(times)} ms (of ${times.join(', ')})`);
-  console.log(`JavaScript loaded for it: ${kilobytes.toFixed(0)} kB gzip in ${scripts.length} files`);
+  console.log(`JavaScript of the page: ${kilobytes(true)} kB gzip`);
+  console.log(`Loaders, workers and data that it asked for: ${kilobytes(false)} kB gzip`);
   console.log(`Shaders and pipelines compiled by changes of parameters: ${compiledByChange}`);
 }
 
