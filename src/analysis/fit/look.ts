@@ -1,5 +1,7 @@
 /** A lit sphere, computed without a renderer: how a BRDF looks, to compare by and to show. */
 import type { Rgb } from '../../brdf/model.ts';
+import type { Triple } from '../../color/matrix.ts';
+import { oklab } from '../../color/oklab.ts';
 import type { Vec3 } from '../vector.ts';
 import { meanSquare } from './metrics.ts';
 import type { Pair } from './samples.ts';
@@ -162,7 +164,7 @@ export function displayed(radiance: number): number {
 export function lookDifferences(a: Float64Array, b: Float64Array): Float64Array {
   const differences = new Float64Array(a.length);
   for (let i = 0; i < a.length; i += 3) {
-    const [p, q] = [oklab(a, i), oklab(b, i)];
+    const [p, q] = [seen(a, i), seen(b, i)];
     for (let c = 0; c < 3; c++) differences[i + c] = 100 * ((p[c] as number) - (q[c] as number));
   }
   return differences;
@@ -173,16 +175,9 @@ export function distance(differences: Float64Array): number {
   return Math.sqrt(3 * meanSquare(differences));
 }
 
-function oklab(pixels: Float64Array, at: number): Vec3 {
+function seen(pixels: Float64Array, at: number): Triple {
   const [r, g, b] = [0, 1, 2].map((c) => displayed(pixels[at + c] as number)) as [number, number, number];
-  const l = Math.cbrt(0.4122214708 * r + 0.5363325363 * g + 0.0514459929 * b);
-  const m = Math.cbrt(0.2119034982 * r + 0.6806995451 * g + 0.1073969566 * b);
-  const s = Math.cbrt(0.0883024619 * r + 0.2817188376 * g + 0.6299787005 * b);
-  return [
-    0.2104542553 * l + 0.793617785 * m - 0.0040720468 * s,
-    1.9779984951 * l - 2.428592205 * m + 0.4505937099 * s,
-    0.0259040371 * l + 0.7827717662 * m - 0.808675766 * s,
-  ];
+  return oklab([r, g, b]);
 }
 
 /** A picture as a screen shows it: RGBA, sRGB, rows from the top, clear beside the sphere. */
