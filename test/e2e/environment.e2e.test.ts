@@ -8,6 +8,9 @@ const ball = {
   version: 1,
   name: 'Ball',
   camera: { fov: 40, position: [0, 1, 4], target: [0, 0.4, 0] },
+  // Quick to draw: what is tested is the page.
+  view: { resolutionScale: 0.25 },
+  environment: { samples: 2 },
   materials: { m: { name: 'Clay', model: 'lambert' } },
   objects: {
     ball: { name: 'Ball', material: 'm', position: [0, 0.5, 0], geometry: { type: 'sphere', radius: 0.5 } },
