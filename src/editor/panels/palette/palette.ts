@@ -75,6 +75,8 @@ export function openPalette(session: Session): void {
   const run = (item: PaletteItem) => {
     // First: what opens a dialog of its own must find none.
     dialog.close();
+    // Its event comes only later, when another palette may be open.
+    dialog.remove();
     item.run();
   };
 
