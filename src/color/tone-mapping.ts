@@ -5,6 +5,7 @@
 import { ZONE_COLORS, zoneIndex } from './false-color.ts';
 import { type Matrix3, type Triple, transform } from './matrix.ts';
 import { luminance } from './rec709.ts';
+import { linearToSrgb } from './srgb.ts';
 
 export const TONE_MAPPINGS = ['none', 'aces', 'agx', 'neutral'] as const;
 export type ToneMapping = (typeof TONE_MAPPINGS)[number];
@@ -42,9 +43,9 @@ export function displayPixels(
       radiance[3 * i + 1]! * scale,
       radiance[3 * i + 2]! * scale,
     ]);
-    pixels[4 * i] = 255 * encode(r);
-    pixels[4 * i + 1] = 255 * encode(g);
-    pixels[4 * i + 2] = 255 * encode(b);
+    pixels[4 * i] = 255 * linearToSrgb(r);
+    pixels[4 * i + 1] = 255 * linearToSrgb(g);
+    pixels[4 * i + 2] = 255 * linearToSrgb(b);
     pixels[4 * i + 3] = 255 * covered;
   }
   return pixels;
@@ -58,9 +59,6 @@ function falseColorPixels(radiance: Float32Array, exposure: number): Uint8Clampe
   }
   return pixels;
 }
-
-/** Linear to sRGB: IEC 61966-2-1. */
-const encode = (x: number): number => (x <= 0.0031308 ? 12.92 * x : 1.055 * x ** (1 / 2.4) - 0.055);
 
 const MAPPINGS: Readonly<Record<ToneMapping, (color: Triple) => Triple>> = {
   none: (color) => color,

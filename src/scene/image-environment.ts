@@ -1,13 +1,14 @@
 /** An ordinary image as an environment: sRGB, so nothing in it is brighter than white. */
+
 import * as THREE from 'three/webgpu';
+import { srgbToLinear } from '../color/srgb.ts';
 import type { TextureImage } from './assets.ts';
 import { readTexels } from './texels.ts';
 
-/** sRGB bytes as linear half floats: IEC 61966-2-1. */
-const linear = Uint16Array.from({ length: 256 }, (_, byte) => {
-  const x = byte / 255;
-  return THREE.DataUtils.toHalfFloat(x <= 0.04045 ? x / 12.92 : ((x + 0.055) / 1.055) ** 2.4);
-});
+/** sRGB bytes as linear half floats. */
+const linear = Uint16Array.from({ length: 256 }, (_, byte) =>
+  THREE.DataUtils.toHalfFloat(srgbToLinear(byte / 255)),
+);
 const one = THREE.DataUtils.toHalfFloat(1);
 
 export function environmentOfImage(image: TextureImage, name: string): THREE.DataTexture {

@@ -2,6 +2,7 @@
 import type { Rgb } from '../../brdf/model.ts';
 import type { Triple } from '../../color/matrix.ts';
 import { oklab } from '../../color/oklab.ts';
+import { linearToSrgb } from '../../color/srgb.ts';
 import type { Vec3 } from '../vector.ts';
 import { meanSquare } from './metrics.ts';
 import type { Pair } from './samples.ts';
@@ -184,13 +185,9 @@ function seen(pixels: Float64Array, at: number): Triple {
 export function lookPixels({ size, places }: Look, radiance: Float64Array): Uint8ClampedArray<ArrayBuffer> {
   const pixels = new Uint8ClampedArray(4 * size * size);
   for (const [i, place] of places.entries()) {
-    for (let c = 0; c < 3; c++) pixels[4 * place + c] = 255 * srgb(displayed(radiance[3 * i + c] as number));
+    for (let c = 0; c < 3; c++)
+      pixels[4 * place + c] = 255 * linearToSrgb(displayed(radiance[3 * i + c] as number));
     pixels[4 * place + 3] = 255;
   }
   return pixels;
-}
-
-/** The transfer function of IEC 61966-2-1. */
-function srgb(x: number): number {
-  return x <= 0.0031308 ? 12.92 * x : 1.055 * x ** (1 / 2.4) - 0.055;
 }

@@ -5,8 +5,10 @@
  * Evaluator for Alternating Images", Proc. ACM Comput. Graph. Interact. Tech. 3 (2), for pictures as a screen shows
  * them (LDR-FLIP).
  */
+
 import { inverse, type Triple, transform } from '../../color/matrix.ts';
 import { WHITE_XYZ, XYZ_TO_RGB } from '../../color/rec709.ts';
+import { srgbToLinear } from '../../color/srgb.ts';
 import { convolve, featureFilters, type Plane, sensitivityFilters } from './filters.ts';
 
 /** A screen of 3840 pixels and 0.7 m width seen from 0.7 m: the paper's default. */
@@ -48,10 +50,7 @@ export function flip(
   return { width, height, values, mean };
 }
 
-const LINEAR = Float32Array.from({ length: 256 }, (_, byte) => {
-  const x = byte / 255;
-  return x <= 0.04045 ? x / 12.92 : ((x + 0.055) / 1.055) ** 2.4;
-});
+const LINEAR = Float32Array.from({ length: 256 }, (_, byte) => srgbToLinear(byte / 255));
 
 const RGB_TO_XYZ = inverse(XYZ_TO_RGB);
 const RELATIVE = RGB_TO_XYZ.map((row, i) =>

@@ -1,5 +1,6 @@
 /** How values of the library are derived from what is published. */
 import type { ParameterValue } from '../../brdf/model.ts';
+import { srgbToLinear } from '../../color/srgb.ts';
 import { findModel } from '../../scene/models.ts';
 import type { Rgb } from '../plots/curve.ts';
 import { SODIUM_D, specularOf, substanceParameters } from '../substances/parameters.ts';
@@ -15,12 +16,17 @@ export function substance(name: string): Substance {
   return found;
 }
 
+const shipped = (model: string) => findModel({ models: {}, assets: {} }, model)?.parameters ?? [];
+
+function largest(model: string, name: string): number {
+  const parameter = shipped(model).find((each) => each.name === name);
+  if (parameter?.type !== 'float') throw new Error(`${model} has no number ${name}`);
+  return parameter.max;
+}
+
 /** What makes a shipped model reflect like a substance. */
 function reflectLike(name: string, model: string): Parameters {
-  const found = substanceParameters(
-    substance(name),
-    findModel({ models: {}, assets: {} }, model)?.parameters ?? [],
-  );
+  const found = substanceParameters(substance(name), shipped(model));
   if (!found) throw new Error(`${model} cannot be ${name}`);
   return found.values;
 }
@@ -87,8 +93,8 @@ export function matte(
   return { id, title, category, look, source };
 }
 
-/** The largest index that the model has, which reflects (3 - 1)^2/(3 + 1)^2 = 25 % head-on. */
-const STRONGEST = 3;
+/** The largest index that the model takes. */
+const STRONGEST = largest('cook-torrance', 'ior');
 /** What is left to the gloss, so that it reflects 4 % head-on, as an index of 1.5 does. */
 const GLOSS_SHARE = 0.04 / ((STRONGEST - 1) / (STRONGEST + 1)) ** 2;
 const SHARED = 'Base and gloss share the light, so that the gloss is at most 16 % at grazing angles.';
@@ -115,12 +121,9 @@ export function glossyMatte(
   return { id, title, category, look, source: `${source} ${SHARED}` };
 }
 
-/** Linear Rec. 709 of 8-bit sRGB (IEC 61966-2-1), to four digits. */
+/** Linear Rec. 709 of 8-bit sRGB, to four digits. */
 export function srgb(...bytes: readonly [number, number, number]): Rgb {
-  const linear = (byte: number) => {
-    const x = byte / 255;
-    return Number((x <= 0.04045 ? x / 12.92 : ((x + 0.055) / 1.055) ** 2.4).toFixed(4));
-  };
+  const linear = (byte: number) => Number(srgbToLinear(byte / 255).toFixed(4));
   return [linear(bytes[0]), linear(bytes[1]), linear(bytes[2])];
 }
 

@@ -1,14 +1,8 @@
 /** Colour arithmetic of the picker. Documents hold linear Rec. 709; people pick in sRGB. */
 
+import { linearToSrgb, srgbToLinear } from '../../color/srgb.ts';
+
 export type Rgb = readonly [number, number, number];
-
-export function srgbToLinear(c: number): number {
-  return c <= 0.04045 ? c / 12.92 : ((c + 0.055) / 1.055) ** 2.4;
-}
-
-export function linearToSrgb(c: number): number {
-  return c <= 0.0031308 ? c * 12.92 : 1.055 * c ** (1 / 2.4) - 0.055;
-}
 
 export function toSrgb([r, g, b]: Rgb): Rgb {
   return [linearToSrgb(r), linearToSrgb(g), linearToSrgb(b)];

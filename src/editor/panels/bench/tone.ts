@@ -2,6 +2,7 @@
 import { channelOf } from '../../../analysis/plots/channel.ts';
 import type { Rgb } from '../../../analysis/plots/curve.ts';
 import type { Picture } from '../../../analysis/plots/picture.ts';
+import { linearToSrgb } from '../../../color/srgb.ts';
 import type { Pixels } from './painter.ts';
 import type { PaneSettings } from './settings.ts';
 
@@ -37,10 +38,7 @@ const encodeLog = (linear: number) => 255 * (1 + Math.log10(Math.max(linear, 1e-
 
 /** Enough steps that neighbours are less than a quarter of an 8-bit level apart where the curve is steepest. */
 const STEPS = 16384;
-const SRGB = Float32Array.from({ length: STEPS + 1 }, (_, i) => {
-  const v = i / STEPS;
-  return 255 * (v <= 0.0031308 ? 12.92 * v : 1.055 * v ** (1 / 2.4) - 0.055);
-});
+const SRGB = Float32Array.from({ length: STEPS + 1 }, (_, i) => 255 * linearToSrgb(i / STEPS));
 
 /** 0 to 255; what is not a number is black. */
 export function encodeSrgb(value: number): number {

@@ -1,6 +1,8 @@
 /** The picture of a material of the scene, whose textures count by their mean. */
+
 import { SRGBColorSpace, type Texture } from 'three/webgpu';
 import type { ParameterValue, Rgb } from '../../../brdf/model.ts';
+import { srgbToLinear } from '../../../color/srgb.ts';
 import { materialDefaults } from '../../../scene/material-schema.ts';
 import type { SceneMirror } from '../../../scene/mirror.ts';
 import type { Document } from '../../../scene/schema.ts';
@@ -54,7 +56,7 @@ function compute({ image, colorSpace }: Texture): Rgba | null {
   for (const [i, byte] of data.entries()) {
     const x = byte / 255;
     const isLinear = i % 4 === 3 || colorSpace !== SRGBColorSpace;
-    sum[i % 4]! += isLinear ? x : x <= 0.04045 ? x / 12.92 : ((x + 0.055) / 1.055) ** 2.4;
+    sum[i % 4]! += isLinear ? x : srgbToLinear(x);
   }
   return sum.map((value) => Number((value / SIDE ** 2).toFixed(3))) as unknown as Rgba;
 }
