@@ -111,7 +111,7 @@ describe('beside the sampler of the model’s file', () => {
   const lit = [...dull, ...sharp].filter(({ parameters: { baseColor, metallic } }) => {
     return !(metallic === 1 && Array.isArray(baseColor) && baseColor[0] === 0);
   });
-  const SAMPLES = 500;
+  const SAMPLES = 1000;
 
   it.each(lit)(
     '$name $parameters: the same light, with at most 4 times the noise',
