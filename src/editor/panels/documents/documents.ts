@@ -4,6 +4,7 @@ import { t } from '../../language/language.ts';
 import type { Session } from '../../session.ts';
 import type { KeptDocument, KeptDocuments } from '../../storage/kept-documents.ts';
 import { heldDocuments } from '../../storage/session-record.ts';
+import { openDialog } from '../../ui/dialog.ts';
 import { h } from '../../ui/dom.ts';
 import { icon } from '../../ui/icons.ts';
 import { toast, toastError } from '../../ui/toast.ts';
@@ -27,7 +28,6 @@ export async function openDocuments(session: Session): Promise<void> {
     return;
   }
   await workspace.flush();
-  const dialog = h('dialog', { class: 'documents', 'aria-label': t('Documents') });
   const list = h('div', { class: 'document-list' });
   const detail = h('section', { class: 'document-detail' });
   const usage = createUsage();
@@ -103,34 +103,26 @@ export async function openDocuments(session: Session): Promise<void> {
     if (next instanceof HTMLElement) next.focus();
   }
 
-  const close = h(
-    'button',
-    { type: 'button', class: 'icon-button', 'aria-label': t('Close'), tip: t('Close (Esc)') },
-    icon('close'),
-  );
-  close.addEventListener('click', () => dialog.close());
   const fresh = h('button', { type: 'button', class: 'text-button' }, icon('file'), t('New'));
   fresh.addEventListener('click', () => {
     dialog.close();
     session.newScene();
   });
-  dialog.append(
-    h('header', {}, h('h1', {}, t('Documents')), fresh, close),
+  // Also what is brought back by an undo of its deletion.
+  const unsubscribe = workspace.subscribe(() => void refresh());
+  const dialog = openDialog(
+    {
+      title: t('Documents'),
+      class: 'documents',
+      tools: [fresh],
+      onClose() {
+        unsubscribe();
+        for (const url of urls) URL.revokeObjectURL(url);
+      },
+    },
     h('div', { class: 'documents-body' }, list, detail),
     usage.element,
   );
-  dialog.addEventListener('click', (event) => {
-    if (event.target === dialog) dialog.close();
-  });
-  // Also what is brought back by an undo of its deletion.
-  const unsubscribe = workspace.subscribe(() => void refresh());
-  dialog.addEventListener('close', () => {
-    unsubscribe();
-    for (const url of urls) URL.revokeObjectURL(url);
-    dialog.remove();
-  });
-  document.body.append(dialog);
-  dialog.showModal();
   try {
     await refresh();
     list.querySelector<HTMLElement>('[aria-current]')?.focus();

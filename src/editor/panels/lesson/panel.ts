@@ -3,7 +3,7 @@ import { t } from '../../language/language.ts';
 import type { Learning } from '../../learn/learn.ts';
 import type { Session } from '../../session.ts';
 import { h } from '../../ui/dom.ts';
-import { type IconName, icon } from '../../ui/icons.ts';
+import { iconButton } from '../../ui/icon-button.ts';
 import type { Bound } from '../inspector/field.ts';
 import { lessonList } from './list.ts';
 import { stepView } from './step.ts';
@@ -128,14 +128,4 @@ export function createLessonPanel(session: Session, learning: Learning): LessonP
       document.getElementById('app')?.classList.remove('learning');
     },
   };
-}
-
-function iconButton(name: IconName, label: string, run: () => void): HTMLButtonElement {
-  const button = h(
-    'button',
-    { type: 'button', class: 'icon-button', 'aria-label': label, tip: label },
-    icon(name),
-  );
-  button.addEventListener('click', run);
-  return button;
 }

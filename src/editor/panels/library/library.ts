@@ -11,7 +11,7 @@ import type { Session } from '../../session.ts';
 import type { OwnEntry } from '../../storage/material-library.ts';
 import { h } from '../../ui/dom.ts';
 import { selectField } from '../../ui/fields.ts';
-import { icon } from '../../ui/icons.ts';
+import { iconButton } from '../../ui/icon-button.ts';
 import { toast } from '../../ui/toast.ts';
 import { type Card, createCard, type JobOf } from './card.ts';
 import { addToScene, giveToSelected, keyOfOffer, type Offer } from './chosen.ts';
@@ -56,15 +56,6 @@ export function createLibrary(session: Session, thumbnails: Thumbnails, jobOf: J
   const list = h('div', { class: 'library-list', role: 'listbox', 'aria-label': t('Materials') });
   const detail = h('div', { class: 'library-detail' });
   const progress = h('progress', { max: 1, value: 0, hidden: true, 'aria-label': t('Pictures are made') });
-  const button = (name: Parameters<typeof icon>[0], label: string, run: () => void, keys?: string) => {
-    const made = h(
-      'button',
-      { type: 'button', class: 'icon-button', 'aria-label': label, tip: label, keys },
-      icon(name),
-    );
-    made.addEventListener('click', run);
-    return made;
-  };
   const element = h(
     'section',
     { class: 'library', 'aria-label': t('Library of materials'), hidden: true },
@@ -73,8 +64,8 @@ export function createLibrary(session: Session, thumbnails: Thumbnails, jobOf: J
       { class: 'library-head' },
       h('strong', {}, t('Materials')),
       h('span', { class: 'spacer' }),
-      button('folder', t('Add a material’s file to My library'), () => void importFiles()),
-      button('close', t('Close the library'), close, 'material.library'),
+      iconButton('folder', t('Add a material’s file to My library'), () => void importFiles()),
+      iconButton('close', t('Close the library'), close, { keys: 'material.library' }),
     ),
     h('div', { class: 'library-filter' }, search, category.element),
     progress,

@@ -5,7 +5,7 @@ import { t } from '../../language/language.ts';
 import type { Session } from '../../session.ts';
 import { openDialog } from '../../ui/dialog.ts';
 import { h } from '../../ui/dom.ts';
-import { icon } from '../../ui/icons.ts';
+import { iconButton } from '../../ui/icon-button.ts';
 import { fixedKeys, subjectsOf } from './subjects.ts';
 
 export function openShortcuts({ actions }: Session): void {
@@ -90,12 +90,12 @@ export function openShortcuts({ actions }: Session): void {
       {},
       h('span', { class: 'shortcut-title' }, title),
       change,
-      tool(t('{action}: no keys', { action: title }), 'close', keys.length === 0, () =>
-        assign(id, { [id]: [] }),
-      ),
-      tool(t('Reset {action}', { action: title }), 'undo', keymap.get(id) === undefined, () =>
-        assign(id, { [id]: undefined }),
-      ),
+      iconButton('close', t('{action}: no keys', { action: title }), () => assign(id, { [id]: [] }), {
+        disabled: keys.length === 0,
+      }),
+      iconButton('undo', t('Reset {action}', { action: title }), () => assign(id, { [id]: undefined }), {
+        disabled: keymap.get(id) === undefined,
+      }),
       waiting === id && wanted !== null ? conflict(action, wanted) : null,
     );
     element.dataset.action = id;
@@ -186,16 +186,6 @@ function othersWith(actions: Actions, { id }: Action, keys: string): readonly Ac
 
 function spoken(keys: readonly string[]): string {
   return keys.length > 0 ? keys.map((each) => keysText(each)).join(' ') : t('none');
-}
-
-function tool(label: string, name: 'close' | 'undo', disabled: boolean, run: () => void): HTMLButtonElement {
-  const button = h(
-    'button',
-    { type: 'button', class: 'icon-button', 'aria-label': label, tip: label, disabled },
-    icon(name),
-  );
-  button.addEventListener('click', run);
-  return button;
 }
 
 function fixedSection(fixed: ReturnType<typeof fixedKeys>): HTMLElement {

@@ -18,7 +18,7 @@ import { t, translate } from '../../language/language.ts';
 import type { Session } from '../../session.ts';
 import { h } from '../../ui/dom.ts';
 import { row, selectField } from '../../ui/fields.ts';
-import { type IconName, icon } from '../../ui/icons.ts';
+import { iconButton } from '../../ui/icon-button.ts';
 import type { Cell } from '../inspector/cell.ts';
 import { type Bound, shapeFields } from '../inspector/field.ts';
 import { studioPicture } from './picture.ts';
@@ -39,25 +39,19 @@ export function studioPanel(session: Session): Bound {
   const arrangement = arrangementRow(session);
 
   const count = h('span', { class: 'studio-count' });
-  const button = (name: IconName, tip: string, run: () => void) =>
-    h(
-      'button',
-      { type: 'button', class: 'icon-button', 'aria-label': tip, tip, on: { click: run } },
-      icon(name),
-    );
   const failed = t('The studio stays as it is');
-  const add = button('plus', t('Add a soft box'), () => {
+  const add = iconButton('plus', t('Add a soft box'), () => {
     const index = attempt(failed, () => addSoftBox(store, { azimuth: 180, elevation: 30, luminance: 5 }));
     if (index !== undefined) select(index);
   });
-  const copy = button('copy', t('Duplicate the soft box at the other side'), () => {
+  const copy = iconButton('copy', t('Duplicate the soft box at the other side'), () => {
     const box = boxes()[selected];
     if (box === undefined) return;
     const azimuth = (360 - box.azimuth + 360) % 360;
     const index = attempt(failed, () => addSoftBox(store, { ...box, azimuth, roll: -box.roll }));
     if (index !== undefined) select(index);
   });
-  const remove = button('trash', t('Delete the soft box'), () =>
+  const remove = iconButton('trash', t('Delete the soft box'), () =>
     attempt(failed, () => removeSoftBox(store, selected)),
   );
   const fields = shapeFields(softBoxShape, {
