@@ -20,6 +20,7 @@ import {
 } from './environment-schema.ts';
 import { boolean, group, id, reference, vector3, withDefaults } from './fields.ts';
 import { geometryDefaults, geometryFileSchema, geometrySchema } from './geometry-schema.ts';
+import { groundDefaults, groundFileSchema, groundSchema } from './ground-schema.ts';
 import { groupFileSchema, groupSchema, memberDefaults, memberShape } from './group-schema.ts';
 import { lightFileSchema, lightSchema, nameField } from './light-schema.ts';
 import { materialFileSchema, materialSchema, modelName } from './material-schema.ts';
@@ -159,6 +160,7 @@ export const documentShape = {
   fog: fogSchema,
   environment: environmentSchema,
   background: backgroundSchema,
+  ground: groundSchema,
   lights: collection('lights', id, lightSchema),
   objects: collection('objects', id, objectSchema),
   groups: collection('groups', id, groupSchema),
@@ -194,6 +196,7 @@ export const singles: readonly Single[] = [
   'fog',
   'environment',
   'background',
+  'ground',
   'view',
   'effects',
   'pathTracing',
@@ -214,6 +217,7 @@ export const documentFileSchema = withDefaults(
     camera: cameraFileSchema,
     fog: fogFileSchema,
     environment: environmentFileSchema,
+    ground: groundFileSchema,
     lights: collection('lights', id, lightFileSchema),
     objects: collection('objects', id, objectFileSchema),
     groups: collection('groups', id, groupFileSchema),
@@ -229,6 +233,7 @@ export const documentFileSchema = withDefaults(
     fog: fogDefaults,
     environment: environmentDefaults,
     background: backgroundDefault,
+    ground: groundDefaults,
     lights: {},
     objects: {},
     groups: {},
@@ -244,6 +249,7 @@ export const documentFileSchema = withDefaults(
 export type { EffectName, Effects } from './effects-schema.ts';
 export type { Background, Environment, EnvironmentSource, SoftBox } from './environment-schema.ts';
 export type { AddableGeometry, Geometry, GeometryOf, GeometryType } from './geometry-schema.ts';
+export type { Ground } from './ground-schema.ts';
 export type { Group } from './group-schema.ts';
 export type { Light, LightOf, LightType } from './light-schema.ts';
 export type { Material, MaterialMap, ScaledTextureRef, TextureRef } from './material-schema.ts';

@@ -173,6 +173,17 @@ export const schema: Catalogue = {
   'Colour behind the scene, linear Rec. 709': 'Color detrás de la escena, Rec. 709 lineal',
   'How far the environment is out of focus': 'Cuánto está desenfocado el entorno',
   Blur: 'Desenfoque',
+  'Shadow catcher': 'Recoge sombras',
+  'Shows the shadows of the objects on a level ground that is itself not seen: the background is darker where they keep light off':
+    'Muestra las sombras de los objetos en un suelo llano que no se ve: el fondo es más oscuro donde los objetos tapan la luz',
+  'How high the ground lies; off, it is where the lowest of the visible objects touches it':
+    'A qué altura está el suelo; sin número, donde lo toca el más bajo de los objetos visibles',
+  'How far it reaches around the middle of the objects; 0 has no end':
+    'Hasta dónde llega en torno al centro de los objetos; con 0 no acaba',
+  'The part of the radius over which the shadows fade towards the rim':
+    'La parte del radio en la que las sombras se desvanecen hacia el borde',
+  Fade: 'Desvanecimiento',
+  'How much of the shadows is shown; 1 is all of them': 'Cuánto se ve de las sombras; con 1, todo',
   Plane: 'Plano',
   Circle: 'Círculo',
   Box: 'Caja',
