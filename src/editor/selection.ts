@@ -1,7 +1,7 @@
 /** What the page's menus, keys and rows do to all that is selected. */
 import { isMember, type MemberRef } from '../scene/entity.ts';
 import { groupEntities, ungroup } from '../scene/group-commands.ts';
-import { groupOf, keyOf, membersOf } from '../scene/groups.ts';
+import { groupOf, groupsAround, keyOf, membersOf, wholeGroups } from '../scene/groups.ts';
 import {
   duplicateEntities,
   lockedOf,
@@ -61,14 +61,18 @@ export function ungroupSelected({ store, state }: Context): void {
   attempt(t('Not ungrouped'), () => ungroup(store, state.value.selected));
 }
 
-/** Everything that is in the innermost groups of what is selected, too. */
+/** Everything that is in the innermost groups of what is selected that are not selected as a whole. */
 export function selectGroups({ store, state }: Context): void {
   const { document } = store;
-  const groups = new Set(state.value.selected.filter(isMember).map((ref) => groupOf(document, ref)));
-  const more = [...groups].flatMap((group) => (group === null ? [] : membersOf(document, group)));
+  const whole = wholeGroups(document, state.value.selected);
+  const outside = (ref: MemberRef) =>
+    [...groupsAround(document.groups, groupOf(document, ref))].find((group) => !whole.has(group));
+  const groups = new Set(state.value.selected.filter(isMember).map(outside));
+  const more = [...groups].flatMap((group) => (group === undefined ? [] : membersOf(document, group)));
   const before = new Set(state.value.selected.map(keyOf));
   // What was chosen last stays the last.
-  state.selectAll([...more.filter((ref) => !before.has(keyOf(ref))), ...state.value.selected]);
+  const added = new Map(more.filter((ref) => !before.has(keyOf(ref))).map((ref) => [keyOf(ref), ref]));
+  state.selectAll([...added.values(), ...state.value.selected]);
 }
 
 /** All materials where a material was chosen last; else every object and light that is neither hidden nor locked. */

@@ -1,10 +1,13 @@
-/** A document as a GLB: objects, materials, punctual lights and the camera, with notes of what glTF cannot say. */
+/** A document as a GLB: objects, materials, punctual lights, groups and the camera, with notes of what glTF cannot say. */
 import * as THREE from 'three/webgpu';
 import type { AssetLoader } from '../scene/assets.ts';
+import { keyOf } from '../scene/groups.ts';
 import { createPrimitive } from '../scene/mirror/geometry.ts';
 import type { Document, Geometry } from '../scene/schema.ts';
 import { Notes } from './gltf/notes.ts';
+import { OUR_SCENE } from './gltf/schema.ts';
 import { GltfWriter, type Json } from './gltf/writer.ts';
+import { exportGroups, type NodeOf } from './gltf-export/groups.ts';
 import { exportCamera, exportLights } from './gltf-export/lights.ts';
 import { exportMaterial } from './gltf-export/material.ts';
 import { TextureExport } from './gltf-export/textures.ts';
@@ -25,8 +28,8 @@ export async function exportGltf(
   const writer = new GltfWriter();
   const notes = new Notes();
   const textures = new TextureExport(document, assets, writer, notes);
-  const objects = Object.values(document.objects);
-  const used = new Set(objects.map(({ material }) => material));
+  const objects = Object.entries(document.objects);
+  const used = new Set(objects.map(([, { material }]) => material));
   const steps = objects.length + used.size;
   let done = 0;
   const materials = new Map<string, number>();
@@ -37,7 +40,8 @@ export async function exportGltf(
   }
   const geometries = new Map<string, Json>();
   const meshes = new Map<string, number>();
-  for (const object of objects) {
+  const nodes: NodeOf = new Map();
+  for (const [id, object] of objects) {
     const key = JSON.stringify(object.geometry);
     let primitive = geometries.get(key);
     if (primitive === undefined) {
@@ -52,7 +56,7 @@ export async function exportGltf(
     meshes.set(meshKey, mesh);
     const [x, y, z] = object.rotation.map(THREE.MathUtils.degToRad) as [number, number, number];
     if (!object.visible) writer.use('KHR_node_visibility');
-    writer.add('nodes', {
+    const node = writer.add('nodes', {
       name: object.name,
       mesh,
       translation: object.position,
@@ -60,10 +64,13 @@ export async function exportGltf(
       scale: object.scale,
       ...(!object.visible && { extensions: { KHR_node_visibility: { visible: false } } }),
     });
+    nodes.set(keyOf({ kind: 'objects', id }), node);
     onProgress(++done / steps);
   }
-  exportLights(document, writer, notes);
+  exportLights(document, writer, nodes, notes);
+  exportGroups(document, writer, nodes);
   exportCamera(document.camera, writer, notes);
+  writer.set('extras', OUR_SCENE);
   if (document.environment.source.type !== 'none')
     notes.add('the environment is not in a glTF file: whoever shows it chooses one');
   if (document.fog.density > 0) notes.add('fog has no counterpart in glTF');

@@ -38,7 +38,7 @@ export async function importGltf(
 ): Promise<ImportedModel> {
   const file = readGltf(bytes, fileName, companions);
   const notes = new Notes();
-  const contents = convertNodes(file.json, notes);
+  const contents = convertNodes(file.json, fileName, notes);
   const spare = variantMaterials(file.json, contents, notes);
   const convert = (index: number | undefined) => convertMaterial(file.json, index, fileName, notes);
   const imported = await finish(file, contents, convert, spare, assets, notes, onProgress);
@@ -58,7 +58,7 @@ export async function importConverted(
   onProgress?: (fraction: number) => void,
 ): Promise<ImportedModel> {
   const file = readGltf(glb, fileName);
-  const contents = { ...convertNodes(file.json, notes), lights, camera };
+  const contents = { ...convertNodes(file.json, fileName, notes, lights), camera };
   const plain: Material = {
     ...structuredClone(materialDefaults),
     name: fileName.replace(/\.[A-Za-z0-9]+$/, '').slice(0, 180) || 'Material',

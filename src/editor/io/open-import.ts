@@ -1,6 +1,7 @@
 /** Models, scenes and materials from files: read in a thread of their own, put into the scene in one undo step. */
 
 import { lightByFile } from '../../io/stage.ts';
+import type { MemberRef } from '../../scene/entity.ts';
 import { trustAsset } from '../../scene/validate.ts';
 import { t, translate } from '../language/language.ts';
 import { startProgress, toast } from '../ui/toast.ts';
@@ -58,14 +59,15 @@ export async function importFile(
       const { addImported } = await import('../../io/gltf/add.ts');
       assets.adopt(imported.asset, source);
       trustAsset(imported.asset);
-      let ids: string[] = [];
+      let added: MemberRef[] = [];
       store.edit(imported.label, (draft) => {
-        ids = addImported(draft, imported);
+        added = addImported(draft, imported);
         if (onStage) lightByFile(draft, imported);
       });
       // Panels that follow are work of their own: the page may draw in between.
       await new Promise((resolve) => setTimeout(resolve));
-      if (ids[0]) state.select({ kind: 'objects', id: ids[0] });
+      // All of it, to be put where it should be.
+      state.selectAll(added);
       toast('success', t('Imported {file}', { file: file.name }));
       if (imported.notes.length > 0)
         toast('note', t('About {file}', { file: file.name }), imported.notes.map(translate).join('\n'));

@@ -1,10 +1,12 @@
 /** Lights and the camera of a document as nodes of a glTF file. */
 import * as THREE from 'three/webgpu';
+import { keyOf } from '../../scene/groups.ts';
 import { lightColor } from '../../scene/light-color.ts';
 import type { Camera, Document, Light } from '../../scene/schema.ts';
 import { lightsOf, SUN_ID } from '../../scene/sky/sun.ts';
 import type { Notes } from '../gltf/notes.ts';
 import type { GltfWriter, Json } from '../gltf/writer.ts';
+import type { NodeOf } from './groups.ts';
 
 type Vector = readonly [number, number, number];
 
@@ -33,7 +35,7 @@ export function exportCamera(
 }
 
 /** KHR_lights_punctual; a sky's sun among them while it is up. */
-export function exportLights(document: Document, writer: GltfWriter, notes: Notes): void {
+export function exportLights(document: Document, writer: GltfWriter, nodes: NodeOf, notes: Notes): void {
   const written: Json[] = [];
   for (const [id, light] of Object.entries(lightsOf(document))) {
     if (id === SUN_ID && light.type === 'directional' && light.illuminance === 0) continue;
@@ -43,7 +45,7 @@ export function exportLights(document: Document, writer: GltfWriter, notes: Note
     const place = light.type === 'point' ? { translation: position } : placed(position, target);
     const index = written.push(source) - 1;
     if (!light.visible) writer.use('KHR_node_visibility');
-    writer.add('nodes', {
+    const node = writer.add('nodes', {
       name: light.name,
       ...place,
       extensions: {
@@ -51,6 +53,7 @@ export function exportLights(document: Document, writer: GltfWriter, notes: Note
         ...(!light.visible && { KHR_node_visibility: { visible: false } }),
       },
     });
+    nodes.set(keyOf({ kind: 'lights', id }), node);
   }
   if (written.length === 0) return;
   writer.use('KHR_lights_punctual');

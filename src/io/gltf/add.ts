@@ -1,8 +1,9 @@
 /** What was read of a model, and how it gets into a document. */
 import { keepAsset } from '../../scene/commands.ts';
+import { type MemberRef, namesOf } from '../../scene/entity.ts';
 import { putMaterial } from '../../scene/material-commands.ts';
 import { materialMaps } from '../../scene/material-schema.ts';
-import { freeId, freeName } from '../../scene/names.ts';
+import { FreeIds, FreeNames } from '../../scene/names.ts';
 import type { Asset, Material } from '../../scene/schema.ts';
 import type { Draft } from '../../scene/store.ts';
 import { type Bounds, framed } from './framing.ts';
@@ -24,41 +25,51 @@ export interface ImportedModel {
   notes: string[];
 }
 
-/** Puts everything into a draft of a document; returns the ids of the new objects. */
+/** Puts everything into a draft of a document; returns the new objects and lights. */
 export function addImported(
   draft: Draft,
-  { contents: { objects, lights, camera }, materials, spare, asset, bounds }: ImportedModel,
-): string[] {
+  { contents: { objects, lights, groups, camera }, materials, spare, asset, bounds }: ImportedModel,
+): MemberRef[] {
   const wasEmpty = Object.keys(draft.objects).length === 0;
   const assetId = keepAsset(draft, asset);
   const materialIds = new Map<number | undefined, string>();
   for (const [index, material] of materials)
     materialIds.set(index, putMaterial(draft, inAsset(material, assetId)));
   for (const material of spare) putMaterial(draft, inAsset(material, assetId));
-  const names = new Set(Object.values(draft.objects).map(({ name }) => name));
-  const ids = objects.map(({ object, node, primitive, material }) => {
-    const id = freeId(object.name, draft.objects);
-    const name = freeName(object.name, names);
-    names.add(name);
-    const geometry = { type: 'gltf' as const, asset: assetId, node, primitive };
+  const free = (kind: 'groups' | 'lights' | 'objects') => {
+    const [ids, names] = [new FreeIds(Object.keys(draft[kind])), new FreeNames(namesOf(draft[kind]))];
+    return (base: string) => ({ id: ids.take(base), name: names.take(base) });
+  };
+  const takeGroup = free('groups');
+  const groupIds: string[] = [];
+  const groupAt = (index: number | null) => (index === null ? null : (groupIds[index] ?? null));
+  for (const { name: called, parent } of groups) {
+    const { id, name } = takeGroup(called);
+    draft.groups[id] = { name, parent: groupAt(parent) };
+    groupIds.push(id);
+  }
+  const refs: MemberRef[] = [];
+  const takeObject = free('objects');
+  for (const { object, node, primitive, material, group } of objects) {
+    const { id, name } = takeObject(object.name);
     draft.objects[id] = {
       ...structuredClone(object),
       name,
+      group: groupAt(group),
       material: materialIds.get(material) ?? '',
-      geometry,
+      geometry: { type: 'gltf', asset: assetId, node, primitive },
     };
-    return id;
-  });
-  for (const light of lights) {
-    const name = freeName(
-      light.name,
-      Object.values(draft.lights).map((other) => other.name),
-    );
-    draft.lights[freeId(light.name, draft.lights)] = { ...structuredClone(light), name };
+    refs.push({ kind: 'objects', id });
+  }
+  const takeLight = free('lights');
+  for (const { light, group } of lights) {
+    const { id, name } = takeLight(light.name);
+    draft.lights[id] = { ...structuredClone(light), name, group: groupAt(group) };
+    refs.push({ kind: 'lights', id });
   }
   // The view of a scene that somebody works on is theirs; an empty scene takes the file's, or sees all of it.
   if (wasEmpty) draft.camera = camera ?? (bounds ? framed(draft.camera, bounds) : draft.camera);
-  return ids;
+  return refs;
 }
 
 /** The id of the asset is known only when it is added. */

@@ -1,64 +1,128 @@
-/** The nodes of a glTF scene as objects, lights and a camera of a document, in world space. */
+/** The nodes of a glTF scene as objects, lights, groups and a camera of a document, in world space. */
 import * as THREE from 'three/webgpu';
 import { memberDefaults } from '../../scene/group-schema.ts';
 import { lightDefaults } from '../../scene/light-schema.ts';
 import type { Camera, Light, SceneObject } from '../../scene/schema.ts';
 import { cameraDefaults } from '../../scene/stage-schema.ts';
+import { groupNodes, type ImportedGroup, type TreeNode } from './groups.ts';
 import type { Notes } from './notes.ts';
-import { type Gltf, type GltfNode, isSurface, lightsSchema } from './schema.ts';
+import { type Gltf, type GltfNode, isGroupOfOurs, isSceneOfOurs, isSurface, lightsSchema } from './schema.ts';
 
 export interface GltfObject {
   object: Omit<SceneObject, 'material' | 'geometry'>;
   node: number;
   primitive: number;
   material: number | undefined;
+  /** Its group's place in the list. */
+  group: number | null;
+}
+
+export interface GltfLight {
+  light: Light;
+  group: number | null;
 }
 
 export interface GltfContents {
   objects: GltfObject[];
-  lights: Light[];
+  lights: GltfLight[];
+  groups: ImportedGroup[];
   camera: Camera | null;
+}
+
+/** A light of a file that says its lights better than glTF does, at the node that stands for it. */
+export interface NodeLight {
+  light: Light;
+  node: number;
 }
 
 type Vector = [number, number, number];
 
-export function convertNodes(gltf: Gltf, notes: Notes): GltfContents {
-  const contents: GltfContents = { objects: [], lights: [], camera: null };
-  const lights = lightsSchema.safeParse(gltf.extensions?.KHR_lights_punctual).data?.lights ?? [];
-  for (const { index, node, world, visible } of walk(gltf)) {
-    addMesh(contents, gltf, index, node, world, visible, notes);
+/** @param own lights beside those of the glTF itself */
+export function convertNodes(
+  gltf: Gltf,
+  file: string,
+  notes: Notes,
+  own: readonly NodeLight[] = [],
+): GltfContents {
+  const objects: Omit<GltfObject, 'group'>[] = [];
+  const lights: NodeLight[] = [];
+  let camera: Camera | null = null;
+  const punctuals = lightsSchema.safeParse(gltf.extensions?.KHR_lights_punctual).data?.lights ?? [];
+  const ownAt = new Map<number, Light[]>();
+  for (const { light, node } of own) ownAt.set(node, [...(ownAt.get(node) ?? []), light]);
+  const joints = new Set(gltf.skins.flatMap((skin) => skin.joints));
+  const tree: TreeNode[] = [];
+  const places = new Map<number, number>();
+  for (const { index, node, world, visible, parent, name } of walk(gltf)) {
+    const before = objects.length + lights.length;
+    objects.push(...surfacesOf(gltf, index, node, name, world, visible, notes));
     const punctual = node.extensions?.KHR_lights_punctual as { light?: unknown } | undefined;
-    const light = typeof punctual?.light === 'number' ? lights[punctual.light] : undefined;
-    if (light !== undefined) contents.lights.push({ ...convertLight(light, node, world), visible });
-    if (node.camera !== undefined && contents.camera === null)
-      contents.camera = convertCamera(gltf.cameras[node.camera], world, notes);
+    const light = typeof punctual?.light === 'number' ? punctuals[punctual.light] : undefined;
+    if (light !== undefined)
+      lights.push({ light: { ...convertLight(light, name, world), visible }, node: index });
+    for (const light of ownAt.get(index) ?? []) lights.push({ light, node: index });
+    if (node.camera !== undefined && camera === null)
+      camera = convertCamera(gltf.cameras[node.camera], world, notes);
     if (node.extensions?.EXT_mesh_gpu_instancing)
       notes.add(`${nameOf(node, index)}: only one of its instances is shown`);
+    const group = isGroupOfOurs(node) ? 'always' : joints.has(index) ? 'never' : 'if several';
+    const around = parent === null ? null : places.get(parent)!;
+    const there = objects.length + lights.length - before;
+    places.set(index, tree.push({ name: nameIn(node), parent: around, own: there, group }) - 1);
   }
-  return contents;
+  const title = file.replace(/\.[A-Za-z0-9]+$/, '').slice(0, 180) || file;
+  const { groups, groupOf } = groupNodes(tree, isSceneOfOurs(gltf) ? null : title, notes);
+  const at = (node: number) => groupOf[places.get(node)!]!;
+  return {
+    objects: objects.map((object) => ({ ...object, group: at(object.node) })),
+    lights: lights.map(({ light, node }) => ({ light, group: at(node) })),
+    groups,
+    camera,
+  };
+}
+
+const nameIn = (node: GltfNode): string => (node.name ?? '').trim().slice(0, 180);
+
+interface Visit {
+  index: number;
+  node: GltfNode;
+  parent: number | null;
+  world: THREE.Matrix4;
+  visible: boolean;
+  /** Its own, or that of the node around it that has nothing else in it; '' where there is none. */
+  name: string;
 }
 
 /** Every node of the scene with its world matrix, parents first. Without recursion: depth is the file's. */
-function* walk(
-  gltf: Gltf,
-): Generator<{ index: number; node: GltfNode; world: THREE.Matrix4; visible: boolean }> {
+function* walk(gltf: Gltf): Generator<Visit> {
   const children = new Set(gltf.nodes.flatMap((node) => node.children));
   const roots =
     gltf.scenes[gltf.scene ?? 0]?.nodes ?? [...gltf.nodes.keys()].filter((index) => !children.has(index));
-  const pending = [...roots].reverse().map((index) => ({ index, parent: new THREE.Matrix4(), shown: true }));
+  interface Pending {
+    index: number;
+    parent: number | null;
+    around: THREE.Matrix4;
+    shown: boolean;
+    spare: string;
+  }
+  const pending: Pending[] = [...roots]
+    .reverse()
+    .map((index) => ({ index, parent: null, around: new THREE.Matrix4(), shown: true, spare: '' }));
   const seen = new Set<number>();
   for (let next = pending.pop(); next !== undefined; next = pending.pop()) {
-    const { index, parent, shown } = next;
+    const { index, parent, around, shown, spare } = next;
     const node = gltf.nodes[index];
     if (node === undefined || seen.has(index)) continue;
     seen.add(index);
-    const world = localMatrix(node).premultiply(parent);
+    const world = localMatrix(node).premultiply(around);
     // KHR_node_visibility: what is below a hidden node is hidden, too.
     const visibility = node.extensions?.KHR_node_visibility as { visible?: unknown } | undefined;
     const visible = shown && visibility?.visible !== false;
-    yield { index, node, world, visible };
-    for (const child of [...node.children].reverse())
-      pending.push({ index: child, parent: world, shown: visible });
+    const name = nameIn(node) || spare;
+    yield { index, node, parent, world, visible, name };
+    const below = { parent: index, around: world, shown: visible };
+    const handed = node.mesh === undefined && node.children.length === 1 ? name : '';
+    for (const child of [...node.children].reverse()) pending.push({ ...below, index: child, spare: handed });
   }
 }
 
@@ -74,18 +138,19 @@ function localMatrix({ matrix, translation, rotation, scale }: GltfNode): THREE.
 const nameOf = (node: GltfNode, index: number): string =>
   (node.name ?? '').slice(0, 180) || `Node ${index + 1}`;
 
-function addMesh(
-  contents: GltfContents,
+function surfacesOf(
   gltf: Gltf,
   index: number,
   node: GltfNode,
+  called: string,
   world: THREE.Matrix4,
   visible: boolean,
   notes: Notes,
-): void {
+): Omit<GltfObject, 'group'>[] {
+  const found: Omit<GltfObject, 'group'>[] = [];
   const mesh = node.mesh === undefined ? undefined : gltf.meshes[node.mesh];
-  if (mesh === undefined) return;
-  const name = (node.name || mesh.name || `Mesh ${index + 1}`).slice(0, 180);
+  if (mesh === undefined) return found;
+  const name = (called || mesh.name || `Mesh ${index + 1}`).slice(0, 180);
   if (node.skin !== undefined) notes.add(`${name}: its skeleton is not read; it is shown in its bind pose`);
   // 3.7.3.3: the transform of a skinned mesh's node does not count.
   const place =
@@ -98,13 +163,14 @@ function addMesh(
     if (targets !== undefined && targets.length > 0) notes.add(`${name}: its morph targets are not read`);
     if (attributes.COLOR_0 !== undefined) notes.add(`${name}: its vertex colours are not read`);
     const part = mesh.primitives.length > 1 ? ` ${primitive + 1}` : '';
-    contents.objects.push({
+    found.push({
       object: { name: name + part, visible, ...memberDefaults, ...place },
       node: index,
       primitive,
       material,
     });
   }
+  return found;
 }
 
 function decompose(world: THREE.Matrix4, name: string, notes: Notes) {
@@ -131,13 +197,13 @@ function aim(world: THREE.Matrix4, distance: number): { position: Vector; target
 type Punctual = NonNullable<ReturnType<typeof lightsSchema.parse>['lights'][number]>;
 
 /** KHR_lights_punctual: candela for point and spot, lux for directional, as here. */
-function convertLight(light: Punctual, node: GltfNode, world: THREE.Matrix4): Light {
+function convertLight(light: Punctual, called: string, world: THREE.Matrix4): Light {
   const { position, target } = aim(world, 5);
   // Brightness beyond 1 is for the intensity; here a colour is a colour.
   const brightest = Math.max(...light.color, 1);
   const intensity = THREE.MathUtils.clamp(light.intensity * brightest, 0, 1e9);
   const color = light.color.map((value) => THREE.MathUtils.clamp(value / brightest, 0, 1)) as Vector;
-  const name = (light.name || node.name || lightDefaults[light.type].name).slice(0, 180);
+  const name = (light.name || called || lightDefaults[light.type].name).slice(0, 180);
   const range = THREE.MathUtils.clamp(light.range ?? 0, 0, 1e6);
   switch (light.type) {
     case 'directional':

@@ -77,6 +77,7 @@ const node = z.looseObject({
   rotation: vector4.optional(),
   scale: vector3.optional(),
   extensions,
+  extras: z.unknown().optional(),
 });
 
 /** KHR_texture_transform */
@@ -160,7 +161,9 @@ export const gltfSchema = z.looseObject({
   samplers: list(z.looseObject({ wrapS: z.int().default(10497), wrapT: z.int().default(10497) }), 100_000),
   materials: list(material, 100_000),
   cameras: list(camera, 10_000),
+  skins: list(z.looseObject({ joints: z.array(index).max(1e6).default([]) }), 10_000),
   extensions,
+  extras: z.unknown().optional(),
 });
 
 export type Gltf = z.output<typeof gltfSchema>;
@@ -177,3 +180,11 @@ export function imageIndex(texture: Gltf['textures'][number]): number | undefine
   }
   return texture.source;
 }
+
+/** In `extras`: what Irradia's export says of a file and of a node, so that it comes back as it was. */
+export const OUR_SCENE = { irradia: 'scene' } as const;
+export const OUR_GROUP = { irradia: 'group' } as const;
+
+const saysOfUs = (extras: unknown): unknown => (extras as { irradia?: unknown } | null | undefined)?.irradia;
+export const isSceneOfOurs = ({ extras }: Gltf): boolean => saysOfUs(extras) === OUR_SCENE.irradia;
+export const isGroupOfOurs = ({ extras }: GltfNode): boolean => saysOfUs(extras) === OUR_GROUP.irradia;

@@ -81,12 +81,13 @@ export class GltfWriter {
       binary.set(part, at);
       at += padded(part.length);
     }
-    const nodes = this.#lists.get('nodes')?.length ?? 0;
+    const nodes = this.#lists.get('nodes') ?? [];
+    const inside = new Set(nodes.flatMap(({ children }) => (children as number[] | undefined) ?? []));
     const json = {
       asset: { version: '2.0', generator: 'Irradia' },
       ...(this.#extensions.size > 0 && { extensionsUsed: [...this.#extensions] }),
       scene: 0,
-      scenes: [{ nodes: Array.from({ length: nodes }, (_, i) => i) }],
+      scenes: [{ nodes: [...nodes.keys()].filter((index) => !inside.has(index)) }],
       ...Object.fromEntries(this.#lists),
       ...this.#root,
       ...(binary.length > 0 && { buffers: [{ byteLength: binary.length }] }),

@@ -21,9 +21,9 @@ function addObject(
   writer: GltfWriter,
   name: string,
   parts: readonly { mesh: MeshData; material?: number | undefined }[],
-): void {
+): number {
   const primitives = parts.map(({ mesh, material }) => writePrimitive(writer, mesh, material));
-  writer.add('nodes', { name, mesh: writer.add('meshes', { primitives }) });
+  return writer.add('nodes', { name, mesh: writer.add('meshes', { primitives }) });
 }
 
 export function convertStl(bytes: Uint8Array, file: string): Converted {
@@ -65,13 +65,21 @@ export function convertObj(bytes: Uint8Array, file: string, companions: Companio
     indices.set(name, index);
     return index;
   };
-  const objects = new Map<string, ObjPart[]>();
-  for (const part of parts) objects.set(part.object, [...(objects.get(part.object) ?? []), part]);
-  for (const [name, own] of objects)
-    addObject(
-      writer,
-      name.slice(0, 180) || baseName(file),
-      own.map((part) => ({ mesh: part, material: materialOf(part.material) })),
+  const objects = new Map<string, Map<string, ObjPart[]>>();
+  for (const part of parts) {
+    const groups = objects.get(part.object) ?? new Map<string, ObjPart[]>();
+    objects.set(part.object, groups.set(part.group, [...(groups.get(part.group) ?? []), part]));
+  }
+  for (const [object, groups] of objects) {
+    const children = [...groups].map(([group, own]) =>
+      addObject(
+        writer,
+        (group || object).slice(0, 180) || baseName(file),
+        own.map((part) => ({ mesh: part, material: materialOf(part.material) })),
+      ),
     );
+    // Groups within an object are parts of it; without one they are the objects themselves.
+    if (object !== '' && children.length > 1) writer.add('nodes', { name: object.slice(0, 180), children });
+  }
   return converted(writer, materials);
 }

@@ -7,8 +7,9 @@ import { ModelFileError } from './error.ts';
 import { type MeshData, Numbers, smoothNormals } from './mesh.ts';
 
 export interface ObjPart extends MeshData {
-  /** Of the object or group; '' where the file gives none. */
+  /** The names of the object and of the group; '' where the file gives none. */
   object: string;
+  group: string;
   /** As a .mtl file names it; null where the file says nothing. */
   material: string | null;
 }
@@ -159,11 +160,11 @@ class ObjReader {
   }
 
   #open(): PartBuilder {
-    const object = this.#group || this.#object;
-    const key = JSON.stringify([object, this.#material, this.#smooth]);
+    const [object, group] = [this.#object, this.#group];
+    const key = JSON.stringify([object, group, this.#material, this.#smooth]);
     const builder =
       this.#builders.get(key) ??
-      new PartBuilder(object, this.#material, this.#smooth, this.#positions, this.#uvs, this.#normals);
+      new PartBuilder(object, group, this.#material, this.#smooth, this.#positions, this.#uvs, this.#normals);
     this.#builders.set(key, builder);
     return builder;
   }
@@ -195,6 +196,7 @@ class PartBuilder {
 
   constructor(
     readonly object: string,
+    readonly group: string,
     readonly material: string | null,
     readonly smooth: boolean,
     readonly positions: Numbers<Float32Array>,
@@ -228,12 +230,12 @@ class PartBuilder {
     };
     const all = (by: readonly (number | null)[]) => !by.includes(null);
     const positions = gather(this.positions, this.#position, 3);
-    const { object, material } = this;
+    const { object, group, material } = this;
     const normals = all(this.#normal)
       ? gather(this.normals, this.#normal, 3)
       : this.#smoothed(positions, indices);
     const uvs = this.#uv.some((uv) => uv !== null) ? gather(this.uvs, this.#uv, 2) : undefined;
-    return { object, material, positions, normals, uvs, indices };
+    return { object, group, material, positions, normals, uvs, indices };
   }
 
   /** Over all faces around a position, whatever their texture coordinates are. */

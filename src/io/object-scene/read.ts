@@ -1,11 +1,11 @@
 /**
- * A three.js scene file as a GLB of its geometries and images, with materials, lights and a camera of a document. Groups
- * are flattened: every mesh stands where the scene puts it.
+ * A three.js scene file as a GLB of its geometries and images, with materials, lights and a camera of a document. Its nodes
+ * are in one another as its objects are, but every mesh says where in the world it stands.
  */
 import * as THREE from 'three/webgpu';
 import { schemaIssues } from '../../scene/validate.ts';
 import type { Notes } from '../gltf/notes.ts';
-import { GltfWriter } from '../gltf/writer.ts';
+import { GltfWriter, type Json } from '../gltf/writer.ts';
 import type { Companions } from '../meshes/companions.ts';
 import type { Converted } from '../meshes/converted.ts';
 import { ModelFileError } from '../meshes/error.ts';
@@ -51,11 +51,13 @@ export function readObjectScene(
 
   const places = placesOf(scene, file);
   const byUuid = new Map(places.map((place) => [place.object.uuid, place.world]));
+  const tree = new NodeTree(writer, places);
   let objects = 0;
-  for (const place of places) {
+  for (const [index, place] of places.entries()) {
     const { object, world, visible } = place;
     const light = sceneLight(object, world, byUuid.get(object.target));
-    if (light) converted.lights.push({ ...light, visible });
+    if (light)
+      converted.lights.push({ light: { ...light, visible }, node: tree.add(index, { name: light.name }) });
     converted.camera ??= sceneCamera(object, world);
     if (/^(Line|Points|Sprite)/.test(object.type))
       notes.add('its lines, points and sprites have no surface and are left out');
@@ -78,16 +80,69 @@ export function readObjectScene(
       objects += 1;
       if (objects > MOST_OBJECTS)
         throw new ModelFileError(file, place.path, `more than ${MOST_OBJECTS} objects`);
-      writer.add('nodes', {
-        name: object.name || written.data.name || `Mesh ${objects}`,
+      tree.add(index, {
+        ...(object.name && { name: object.name }),
         mesh,
         matrix: matrix.toArray(),
         ...(!visible && { extensions: { KHR_node_visibility: { visible: false } } }),
       });
     }
   }
+  tree.finish();
   converted.glb = writer.finish();
   return converted;
+}
+
+/** The nodes of meshes and lights, in one another as the file's objects are. Objects with nothing in them have none. */
+class NodeTree {
+  readonly #writer: GltfWriter;
+  readonly #places: readonly Place[];
+  /** What each object has, itself and from below. */
+  readonly #inside: { node: Json; index: number }[][];
+
+  constructor(writer: GltfWriter, places: readonly Place[]) {
+    this.#writer = writer;
+    this.#places = places;
+    this.#inside = places.map(() => []);
+  }
+
+  /** Returns the node's index. */
+  add(place: number, node: Json): number {
+    const index = this.#writer.add('nodes', node);
+    this.#inside[place]?.push({ node, index });
+    return index;
+  }
+
+  finish(): void {
+    const handed = this.#places.map((): { node: Json; index: number }[] => []);
+    for (const [i, { object, parent }] of [...this.#places.entries()].reverse()) {
+      // Those of the last child came first.
+      const all = [...(this.#inside[i] ?? []), ...(handed[i] ?? []).reverse()];
+      const [only] = all;
+      if (parent === null) {
+        // A scene is the file itself.
+        const roots = object.type !== 'Scene' && all.length > 1 ? [this.#around(object, all)] : all;
+        if (only && all.length === 1) nameAfter(only.node, object);
+        this.#writer.set('scenes', [{ nodes: roots.map(({ index }) => index) }]);
+        continue;
+      }
+      const above = handed[parent];
+      if (only && all.length === 1) nameAfter(only.node, object);
+      // What hangs on bones is not in groups of them.
+      if (all.length > 1 && object.type !== 'Bone') above?.push(this.#around(object, all));
+      else above?.push(...all.reverse());
+    }
+  }
+
+  #around({ name }: SourceObject, all: readonly { index: number }[]): { node: Json; index: number } {
+    const node: Json = { ...(name && { name }), children: all.map(({ index }) => index) };
+    return { node, index: this.#writer.add('nodes', node) };
+  }
+}
+
+/** What is alone in an object, and has no name, has the object's. */
+function nameAfter(node: Json, { name, type }: SourceObject): void {
+  if (node.name === undefined && name && type !== 'Scene') node.name = name;
 }
 
 function parse(json: unknown, file: string): SourceScene {
@@ -114,6 +169,8 @@ function parse(json: unknown, file: string): SourceScene {
 
 interface Place {
   object: SourceObject;
+  /** Its place in the list; null for the root. */
+  parent: number | null;
   world: THREE.Matrix4;
   visible: boolean;
   path: string;
@@ -122,24 +179,31 @@ interface Place {
 /** Every object with its world matrix, parents first. Without recursion: the depth is the file's. */
 function placesOf(scene: SourceScene, file: string): Place[] {
   const places: Place[] = [];
-  const pending = [
-    { value: scene.object as unknown, parent: new THREE.Matrix4(), visible: true, path: 'object' },
-  ];
+  interface Pending {
+    value: unknown;
+    parent: number | null;
+    around: THREE.Matrix4;
+    visible: boolean;
+    path: string;
+  }
+  const root = { value: scene.object as unknown, parent: null, around: new THREE.Matrix4(), visible: true };
+  const pending: Pending[] = [{ ...root, path: 'object' }];
   for (let next = pending.pop(); next !== undefined; next = pending.pop()) {
-    const { value, parent, path } = next;
+    const { value, parent, around, path } = next;
     const result = objectSchema.safeParse(value);
     if (!result.success) {
       const [issue] = schemaIssues(result.error);
       throw new ModelFileError(file, `${path}.${issue?.path}`, `${issue?.message}`);
     }
     const object = result.data;
-    const world = localMatrix(object).premultiply(parent);
+    const world = localMatrix(object).premultiply(around);
     if (!world.elements.every(Number.isFinite))
       throw new ModelFileError(file, path, 'its place is not made of finite numbers');
     const visible = next.visible && object.visible;
-    places.push({ object, world, visible, path });
+    const index = places.push({ object, parent, world, visible, path }) - 1;
+    const below = { parent: index, around: world, visible };
     for (let i = object.children.length - 1; i >= 0; i--)
-      pending.push({ value: object.children[i], parent: world, visible, path: `${path}.children[${i}]` });
+      pending.push({ ...below, value: object.children[i], path: `${path}.children[${i}]` });
   }
   return places;
 }
@@ -210,7 +274,7 @@ function writeMesh(writer: GltfWriter, written: Written, materials: readonly (nu
       };
     });
   if (primitives.length === 0) primitives.push({ attributes });
-  const mesh = writer.add('meshes', { primitives });
+  const mesh = writer.add('meshes', { name: data.name, primitives });
   written.meshes.set(key, mesh);
   return mesh;
 }

@@ -77,7 +77,7 @@ it('goes into a glTF file while it is up', async () => {
   };
   const { sun, found } = await lights(30);
   expect(found.length).toBe(1);
-  expect((found[0] as LightOf<'directional'>).illuminance).toBeCloseTo(sun.illuminance, 4);
+  expect((found[0]!.light as LightOf<'directional'>).illuminance).toBeCloseTo(sun.illuminance, 4);
   // One light less, and nothing to be imported at all.
   await expect(lights(-10)).rejects.toThrow();
 });
