@@ -29,6 +29,7 @@ export function tileErrors(film: Film): Float32Array {
   const { width, height } = film;
   const { columns, rows } = tileGrid(width, height);
   const [means, variances] = [new Float64Array(columns * rows), new Float64Array(columns * rows)];
+  const shadows = new Float64Array(columns * rows);
   let whole = 0;
   forEachTile(width, height, ({ tile, left, top, right, bottom }) => {
     let [mean, variance] = [0, 0];
@@ -41,16 +42,20 @@ export function tileErrors(film: Film): Float32Array {
           n < 2 ? Number.POSITIVE_INFINITY : Math.max(0, film.squares[i]! / n - value * value) / (n - 1);
       }
     }
+    for (let y = top; y < bottom; y++)
+      for (let x = left; x < right; x++) shadows[tile]! += film.shadowVariance(y * width + x);
     const values = 3 * (right - left) * (bottom - top);
+    shadows[tile]! /= values / 3;
     means[tile] = mean / values;
     variances[tile] = variance / values;
     whole += mean;
   });
   whole /= film.radiance.length;
   return Float32Array.from(means, (mean, tile) => {
-    const unit = Math.max(mean, DARKEST * whole) * whole;
+    // A shadow in a transparent picture counts as before a background as bright as the picture is in the mean.
+    const unit = Math.max(mean, (shadows[tile]! > 0 ? 1 : DARKEST) * whole) * whole;
     return unit > 0
-      ? Math.sqrt(variances[tile]! / unit)
+      ? Math.sqrt((variances[tile]! + shadows[tile]! * whole * whole) / unit)
       : variances[tile]! > 0
         ? Number.POSITIVE_INFINITY
         : 0;

@@ -25,6 +25,10 @@ export class Film {
   readonly depth: Float32Array;
   /** 1 where a sample hit something. */
   readonly alpha: Float32Array;
+  /** The part of the background that the shadows on the ground take, as luminance. */
+  readonly shadow: Float32Array;
+  /** Its squares where the picture is transparent: then all that is seen of shadows is in here. */
+  readonly shadowSquares: Float32Array;
 
   constructor(width: number, height: number) {
     const pixels = width * height;
@@ -38,11 +42,14 @@ export class Film {
     this.normal = new Float32Array(3 * pixels);
     this.depth = new Float32Array(pixels);
     this.alpha = new Float32Array(pixels);
+    this.shadow = new Float32Array(pixels);
+    this.shadowSquares = new Float32Array(pixels);
   }
 
   /** Adds what the kernel wrote for pixels `from` and following. @param values FILM_FLOATS a pixel */
   add(values: Float32Array, from = 0): void {
-    const { count, radiance, squares, albedo, albedoSquares, normal, depth, alpha } = this;
+    const { count, radiance, squares, albedo, albedoSquares, normal, depth, alpha, shadow, shadowSquares } =
+      this;
     const pixels = values.length / FILM_FLOATS;
     for (let i = 0; i < pixels; i++) {
       const at = FILM_FLOATS * i;
@@ -51,6 +58,8 @@ export class Film {
       albedoSquares[pixel]! += values[at + 11]!;
       depth[pixel]! += values[at + 16]!;
       alpha[pixel]! += values[at + 17]!;
+      shadow[pixel]! += values[at + 18]!;
+      shadowSquares[pixel]! += values[at + 19]!;
       for (let c = 0; c < 3; c++) {
         radiance[3 * pixel + c]! += values[at + c]!;
         squares[3 * pixel + c]! += values[at + 4 + c]!;
@@ -60,9 +69,9 @@ export class Film {
     }
   }
 
-  /** Mean radiance, RGB; 0 where there are no samples. */
+  /** Mean radiance, RGB; 0 where there are no samples. In a deep shadow on the ground few samples may find less than none. */
   mean(): Float32Array {
-    return this.#means(this.radiance);
+    return this.#means(this.radiance).map((x) => (x < 0 ? 0 : x));
   }
 
   /** Mean albedo, RGB. */
@@ -80,9 +89,12 @@ export class Film {
     return this.depth.map((sum, pixel) => (this.alpha[pixel]! > 0 ? sum / this.alpha[pixel]! : 0));
   }
 
-  /** The part of the samples that hit something. */
+  /** How much of the background a pixel covers: the part of the samples that hit something, and shadows on the ground. */
   meanAlpha(): Float32Array {
-    return this.alpha.map((sum, pixel) => (this.count[pixel]! > 0 ? sum / this.count[pixel]! : 0));
+    return this.alpha.map((sum, pixel) => {
+      const n = this.count[pixel]!;
+      return n > 0 ? Math.min(1, Math.max(0, (sum + this.shadow[pixel]!) / n)) : 0;
+    });
   }
 
   /**
@@ -98,9 +110,17 @@ export class Film {
     });
   }
 
+  /** Variance of the mean of what shadows cover of a transparent picture; 0 where it is known without it. */
+  shadowVariance(pixel: number): number {
+    const [n, squares] = [this.count[pixel]!, this.shadowSquares[pixel]!];
+    if (n < 2 || squares === 0) return 0;
+    return Math.max(0, squares / n - (this.shadow[pixel]! / n) ** 2) / (n - 1);
+  }
+
   /**
    * The picture's error: the standard deviation of the pixels' means over the mean of the picture, which no single
-   * dark pixel can blow up. Infinite before two samples.
+   * dark pixel can blow up. Infinite before two samples. Shadows in a transparent picture count as before a background
+   * as bright as the picture is in the mean.
    */
   relativeError(): number {
     let sum = 0;
@@ -113,6 +133,8 @@ export class Film {
       variance += Math.max(0, this.squares[i]! / n - mean * mean) / (n - 1);
     }
     const mean = sum / this.radiance.length;
+    const shadows = this.count.reduce((total, _, pixel) => total + this.shadowVariance(pixel), 0);
+    variance += 3 * shadows * mean * mean;
     return mean > 0 ? Math.sqrt(variance / this.radiance.length) / mean : 0;
   }
 

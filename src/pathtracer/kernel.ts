@@ -9,6 +9,7 @@ import distribution from './kernel/distribution.glsl?raw';
 import genericSampler from './kernel/generic-sampler.glsl?raw';
 import genericSurface from './kernel/generic-surface.glsl?raw';
 import genericTable from './kernel/generic-table.glsl?raw';
+import ground from './kernel/ground.glsl?raw';
 import integrator from './kernel/integrator.glsl?raw';
 import lightTree from './kernel/light-tree.glsl?raw';
 import lights from './kernel/lights.glsl?raw';
@@ -35,6 +36,7 @@ const parts: readonly (readonly [name: string, text: string])[] = [
   ['sky.glsl', sky],
   ['light-tree.glsl', lightTree],
   ['lights.glsl', lights],
+  ['ground.glsl', ground],
   ['air.glsl', air],
   ['media.glsl', media],
   ['integrator.glsl', integrator],

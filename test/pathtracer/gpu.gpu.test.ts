@@ -85,3 +85,31 @@ test('a model without a sampler', async () => {
   expect(shareApart(a, b, 1e-6)).toBeLessThan(0.05);
   expect(sum(b) / sum(a)).toBeCloseTo(1, 2);
 });
+
+test('shadows on the ground', async () => {
+  const [x, y, z] = BALL;
+  const camera: Camera = {
+    ...document.camera,
+    fov: 40,
+    position: [x, y + 2, z + 6],
+    target: [x, y - 0.5, z],
+  };
+  const shaded = {
+    ...document,
+    background: { type: 'transparent' as const },
+    ground: { shadowCatcher: true, height: y - 1, radius: 4, fade: 0.5, strength: 0.8 },
+  };
+  const scene = await packDocument(shaded);
+  const films = [];
+  for (const tracer of [cpu, gpu]) {
+    await tracer.load(scene);
+    films.push(
+      await render(tracer, { ...shaded, camera }, { samples: 8, width: 32, height: 24, maxDepth: 1 }),
+    );
+  }
+  const [a, b] = films as [(typeof films)[0], (typeof films)[0]];
+  expect(a.shadow.filter((covered) => covered > 0).length).toBeGreaterThan(50);
+  expect(shareApart(a.shadow, b.shadow, 1e-5)).toBeLessThan(0.02);
+  expect(sum(b.shadow) / sum(a.shadow)).toBeCloseTo(1, 2);
+  expect(sum(b.shadowSquares) / sum(a.shadowSquares)).toBeCloseTo(1, 2);
+});

@@ -1,5 +1,6 @@
 /** Pictures as planes of float32, one for each component: what the filters work on. */
 import type { Film } from '../film.ts';
+import { boxMean } from './statistics.ts';
 
 export interface Planes {
   readonly width: number;
@@ -15,10 +16,14 @@ export interface FilmPlanes {
   readonly radiance: Planes;
   readonly albedo: Planes;
   readonly normal: Planes;
-  /** Distance in metres where something was hit, and the part of the samples that did. */
+  /** Distance in metres where something was hit. */
   readonly depth: Float32Array;
+  /** The part of the samples that hit something; 1 about shadows on the ground, which have noise like any surface. */
   readonly alpha: Float32Array;
 }
+
+/** Pixels from a shadow on the ground, to each side, where few samples may have missed it. */
+const PENUMBRA = 8;
 
 export function filmPlanes(film: Film): FilmPlanes {
   const { width, height, count } = film;
@@ -47,12 +52,17 @@ export function filmPlanes(film: Film): FilmPlanes {
     channels,
     variance: variance(channels, squares),
   });
+  const shaded = boxMean(
+    film.shadow.map((sum) => (sum > 0 ? 1 : 0)),
+    film,
+    PENUMBRA,
+  );
   return {
     radiance: planes(radiance, radianceSquares),
     albedo: planes(albedo, (pixel) => film.albedoSquares[pixel]!),
     // Normals of single samples have length 1, where there are any.
     normal: planes(normal, (pixel) => film.alpha[pixel]!),
     depth: film.meanDepth(),
-    alpha: plane((pixel) => film.alpha[pixel]! / count[pixel]!),
+    alpha: plane((pixel) => (shaded[pixel]! > 0 ? 1 : film.alpha[pixel]! / count[pixel]!)),
   };
 }

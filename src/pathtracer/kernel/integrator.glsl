@@ -15,6 +15,8 @@ vec3 pathAlbedo;
 vec3 pathNormal;
 float pathDistance;
 float pathAlpha;
+// How much of the background the shadow on the ground takes, as luminance: what it covers of a transparent picture.
+float pathShadow;
 
 vec3 pathRadiance;
 vec3 pathThroughput;
@@ -144,6 +146,7 @@ vec3 tracePath(vec3 o, vec3 d) {
   pathNormal = vec3(0.0);
   pathDistance = 0.0;
   pathAlpha = 0.0;
+  pathShadow = 0.0;
   // The density with which d was drawn at the last vertex, in 1/sr, and that vertex' normal.
   float density = 0.0;
   vec3 N = vec3(0.0);
@@ -152,6 +155,12 @@ vec3 tracePath(vec3 o, vec3 d) {
   while (true) {
     bool isHit = traceRay(o, d);
     bool isCameraRay = depth == 0;
+    // The ground hides what is below it, but not a floor that lies in it.
+    float ground = isCameraRay ? groundDistance(o, d) : 0.0;
+    if (ground > 0.0 && hitDistance > ground * 1.0001) {
+      isHit = false;
+      hitDistance = INFINITY;
+    }
     bool seesLights = !isCameraRay && strategy != LIGHTS_ALONE;
     findSpace();
     if (seesLights) addRectangles(o, d, density, N, strategy, depth, limit);
@@ -160,8 +169,11 @@ vec3 tracePath(vec3 o, vec3 d) {
     if (isSpace) o += d * scatterDistance;
 
     if (!isSpace && !isHit) {
-      if (isCameraRay) addLight(backgroundRadiance(d), depth, limit);
-      else if (seesLights && loadUint4(2).w != NONE) {
+      if (isCameraRay) {
+        vec3 shade = ground > 0.0 ? groundShade(o + d * ground) : vec3(1.0);
+        pathShadow = 1.0 - luminance(shade);
+        addLight(backgroundRadiance(d) * shade, depth, limit);
+      } else if (seesLights && loadUint4(2).w != NONE) {
         float weight = strategy == BOTH ? balance(density, skyLightDensity(d)) : 1.0;
         addLight(skyRadiance(d) * weight, depth, limit);
       }

@@ -53,24 +53,8 @@ vec3 sampleDisc(vec3 d, float radius, vec2 u) {
   return (x * cos(angle) + cross(d, x) * sin(angle)) * r;
 }
 
-// A light, and a direction to it, for a point in space. @param N 0 in fog @returns false where no light comes
-bool sampleLight(vec3 P, vec3 N) {
-  uvec4 lists = loadUint4(1);
-  uvec4 infinite = loadUint4(2);
-  float u = random1();
-  vec2 uv = random2();
-  float treeShare = treeProbability();
-  int slot;
-  if (u < treeShare) {
-    int number = chooseFiniteLight(u / treeShare, P, N);
-    if (number < 0) return false;
-    slot = int(lists.x) + 6 * number;
-  } else {
-    if (infinite.y == 0u) return false;
-    chosenProbability = infiniteProbability();
-    int number = min(int((u - treeShare) / chosenProbability), int(infinite.y) - 1);
-    slot = int(infinite.x) + 6 * number;
-  }
+// A direction to the light in a slot that has been chosen with chosenProbability. @returns false where no light comes
+bool towardsLight(int slot, vec3 P, vec2 uv) {
   uvec4 head = loadUint4(slot);
   vec4 power = loadFloat4(slot + 1);
   vec4 place = loadFloat4(slot + 2);
@@ -145,6 +129,27 @@ bool sampleLight(vec3 P, vec3 N) {
   lightRadiance = skyRadiance(lightDirection);
   lightDensity = chosenProbability * skySampleDensity;
   return lightDensity > 0.0;
+}
+
+// A light, and a direction to it, for a point in space. @param N 0 in fog @returns false where no light comes
+bool sampleLight(vec3 P, vec3 N) {
+  uvec4 lists = loadUint4(1);
+  uvec4 infinite = loadUint4(2);
+  float u = random1();
+  vec2 uv = random2();
+  float treeShare = treeProbability();
+  int slot;
+  if (u < treeShare) {
+    int number = chooseFiniteLight(u / treeShare, P, N);
+    if (number < 0) return false;
+    slot = int(lists.x) + 6 * number;
+  } else {
+    if (infinite.y == 0u) return false;
+    chosenProbability = infiniteProbability();
+    int number = min(int((u - treeShare) / chosenProbability), int(infinite.y) - 1);
+    slot = int(infinite.x) + 6 * number;
+  }
+  return towardsLight(slot, P, uv);
 }
 
 // The density of sampleLight() for the sky, from any point.

@@ -10,6 +10,9 @@ void renderPixel(int pixel, int film, uint first, uint count) {
   vec3 normal = vec3(0.0);
   float distance = 0.0;
   float alpha = 0.0;
+  float shadow = 0.0;
+  float shadowSquares = 0.0;
+  bool isTransparent = loadFloat4(15).w != 0.0;
   uint i = 0u;
   while (i < count) {
     startSample(uint(x), uint(y), first + i, settings.w);
@@ -22,13 +25,15 @@ void renderPixel(int pixel, int film, uint first, uint count) {
     normal += pathNormal;
     distance += pathDistance;
     alpha += pathAlpha;
+    shadow += pathShadow;
+    if (isTransparent) shadowSquares += pathShadow * pathShadow;
     i++;
   }
   filmStore(film, filmLoad(film) + vec4(radiance, float(count)));
   filmStore(film + 1, filmLoad(film + 1) + vec4(squares, 0.0));
   filmStore(film + 2, filmLoad(film + 2) + vec4(albedo, albedoSquares));
   filmStore(film + 3, filmLoad(film + 3) + vec4(normal, 0.0));
-  filmStore(film + 4, filmLoad(film + 4) + vec4(distance, alpha, 0.0, 0.0));
+  filmStore(film + 4, filmLoad(film + 4) + vec4(distance, alpha, shadow, shadowSquares));
 }
 
 // A run of pixels, one after the other, into a film of these pixels alone.

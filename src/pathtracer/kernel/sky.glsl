@@ -62,9 +62,8 @@ vec3 backgroundRadiance(vec3 d) {
   return (sky == 0 ? vec3(0.0) : mapRadiance(sky, d)) + sunDisc(d);
 }
 
-// The density of sampleSky() in a cell, in 1/sr.
-float skyDensity(int x, int y, uvec4 grid, float cosLatitude) {
-  int marginal = int(grid.z);
+// The density of sampleSky() in a cell, in 1/sr. @param marginal the distribution of its rows
+float skyDensity(int x, int y, uvec4 grid, int marginal, float cosLatitude) {
   int row = int(grid.w + uint(y) * (grid.x + 1u));
   float inRow = (loadFloat(row + x + 1) - loadFloat(row + x)) * float(grid.x);
   float ofRow = (loadFloat(marginal + y + 1) - loadFloat(marginal + y)) * float(grid.y);
@@ -77,16 +76,15 @@ float skyPdf(vec3 d) {
   vec2 uv = directionToMap(d, loadFloat4(sky + 2));
   int x = clamp(int(uv.x * float(grid.x)), 0, int(grid.x) - 1);
   int y = clamp(int(uv.y * float(grid.y)), 0, int(grid.y) - 1);
-  return skyDensity(x, y, grid, sqrt(max(1.0 - d.y * d.y, 0.0)));
+  return skyDensity(x, y, grid, int(grid.z), sqrt(max(1.0 - d.y * d.y, 0.0)));
 }
 
 float skySampleDensity;
 
-// A direction by the sky's luminance; its density goes to skySampleDensity.
-vec3 sampleSky(vec2 u) {
+// A direction by a distribution of the sky's rows, and within a row by its luminance; its density goes to skySampleDensity.
+vec3 sampleSkyRows(int marginal, vec2 u) {
   int sky = int(loadUint4(2).z);
   uvec4 grid = loadUint4(sky + 1);
-  int marginal = int(grid.z);
   int y = findCell(marginal, int(grid.y), u.y);
   int row = int(grid.w + uint(y) * (grid.x + 1u));
   int x = findCell(row, int(grid.x), u.x);
@@ -98,6 +96,11 @@ vec3 sampleSky(vec2 u) {
     (float(x) + (width > 0.0 ? (u.x - low) / width : 0.5)) / float(grid.x),
     (float(y) + (height > 0.0 ? (u.y - bottom) / height : 0.5)) / float(grid.y));
   vec3 d = mapToDirection(uv, loadFloat4(sky + 2));
-  skySampleDensity = skyDensity(x, y, grid, sqrt(max(1.0 - d.y * d.y, 0.0)));
+  skySampleDensity = skyDensity(x, y, grid, marginal, sqrt(max(1.0 - d.y * d.y, 0.0)));
   return d;
+}
+
+// A direction by the sky's luminance.
+vec3 sampleSky(vec2 u) {
+  return sampleSkyRows(int(loadUint4(int(loadUint4(2).z) + 1).z), u);
 }

@@ -13,6 +13,8 @@ export interface WrittenLights {
   /** The first so many are rectangles. */
   readonly rectangles: number;
   readonly finite: number;
+  /** The first so many are lamps; triangles of what glows follow. */
+  readonly lamps: number;
   readonly infiniteSlot: number;
   readonly infinite: number;
   /** Root of the tree; 0 without finite lights. */
@@ -60,6 +62,7 @@ export async function writeLights(words: Words, scene: Scene, pace: Pace): Promi
     slot,
     rectangles: rectangles.length,
     finite,
+    lamps: near.length,
     infiniteSlot,
     infinite: far.length,
     root,

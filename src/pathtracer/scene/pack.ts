@@ -13,6 +13,7 @@ import { SUN_ANGULAR_RADIUS } from '../../scene/sky/atmosphere.ts';
 import { LIMB_POWERS, sunOf } from '../../scene/sky/sun.ts';
 import { PathTracerError } from './error.ts';
 import { GenericTables } from './generic-table.ts';
+import { writeGround } from './ground.ts';
 import { type Placement, placementOf, rowsOf, worldBox, writeInstanceTree } from './instances.ts';
 import {
   HEADER,
@@ -187,6 +188,7 @@ async function assemble(scene: Scene, maxBytes: number, pace: Pace): Promise<Pac
     texels: map === null || !hasSky ? 0 : places.floats(map.texels),
     marginal: hasSky ? places.floats(distribution.marginal) : 0,
     conditional: hasSky ? places.floats(distribution.conditional) : 0,
+    level: hasSky ? places.floats(distribution.level) : 0,
   };
   const table = places.floats(Float32Array.from(srgbTable));
 
@@ -212,8 +214,9 @@ async function assemble(scene: Scene, maxBytes: number, pace: Pace): Promise<Pac
   header.setUints(HEADER.instances, tree.root, instanceSlot, materialSlot, instances.length);
   header.setUints(HEADER.lights, lights.slot, lights.root, lights.finite, table);
   header.setUints(HEADER.infiniteLights, lights.infiniteSlot, lights.infinite, sky, lights.sky);
-  header.setUints(HEADER.models, modelSlot, lights.rectangles);
+  header.setUints(HEADER.models, modelSlot, lights.rectangles, lights.lamps);
   writeSurroundings(header, document, boxes);
+  writeGround(header, scene, boxes, skyPlaces.level);
 
   const length = places.words + words.length;
   if (4 * length > maxBytes)

@@ -109,6 +109,8 @@ export interface SkyDistribution {
   readonly marginal: Float32Array;
   /** width + 1 values from 0 to 1 for each row. */
   readonly conditional: Float32Array;
+  /** The same as `marginal` of the irradiance on level ground: nothing below the horizon. */
+  readonly level: Float32Array;
   /** Of the luminance times the cosine of the latitude over (u, v). */
   readonly integral: number;
 }
@@ -129,6 +131,7 @@ export async function skyDistribution(
   const height = Math.max(LEAST_ROWS, 2 * Math.ceil(Math.min(lit?.height ?? 1, MOST_ROWS) / 2));
   const conditional = new Float32Array((width + 1) * height);
   const rows = new Float64Array(height);
+  const levelRows = new Float64Array(height);
   const cells = new Float64Array(width);
   const mean = lit === null ? null : meanLuminance(lit, width, height);
   for (let y = 0; y < height; y += 1) {
@@ -142,11 +145,14 @@ export async function skyDistribution(
     const cosine = ((north - south) * height) / Math.PI;
     const sum = accumulate(cells, conditional.subarray(y * (width + 1), (y + 1) * (width + 1)));
     rows[y] = (sum / width) * cosine;
+    levelRows[y] = 2 * y < height ? 0 : sum * (north * north - south * south);
     if (pace.due) await pace.rest();
   }
   const marginal = new Float32Array(height + 1);
   const integral = accumulate(rows, marginal) / height;
-  return { width, height, marginal, conditional, integral };
+  const level = new Float32Array(height + 1);
+  accumulate(levelRows, level);
+  return { width, height, marginal, conditional, level, integral };
 }
 
 /** Writes the distribution function of weights, from 0 to 1; evenly rising if they are all 0. @returns their sum */
