@@ -1,16 +1,9 @@
 /** From a reflectance over wavelength to a colour in linear Rec. 709. */
+import { adaptation } from './adaptation.ts';
 import { CIE_1931, WAVELENGTHS } from './cie-1931.ts';
 import { lightSpectrum, type WhiteLight } from './light.ts';
-import { inverse, type Matrix3, type Triple, transform } from './matrix.ts';
-import { WHITE_XYZ, XYZ_TO_RGB } from './rec709.ts';
-
-/** XYZ to the responses of three kinds of cones: K. M. Lam, 1985, thesis, University of Bradford. */
-const BRADFORD: Matrix3 = [
-  [0.8951, 0.2664, -0.1614],
-  [-0.7502, 1.7135, 0.0367],
-  [0.0389, -0.0685, 1.0296],
-];
-const FROM_BRADFORD = inverse(BRADFORD);
+import { type Triple, transform } from './matrix.ts';
+import { XYZ_TO_RGB } from './rec709.ts';
 
 /**
  * What each sample of a reflectance weighs in its colour: the colour is the sum of the samples times these. The
@@ -48,14 +41,6 @@ export function colorWeights(
     add(after, [x, y, z], scale * t);
   }
   return weights.map((xyz) => transform(XYZ_TO_RGB, adapt(xyz)));
-}
-
-function adaptation(white: Triple): (xyz: Triple) => Triple {
-  const [from, to] = [transform(BRADFORD, white), transform(BRADFORD, WHITE_XYZ)];
-  return (xyz) => {
-    const [l, m, s] = transform(BRADFORD, xyz);
-    return transform(FROM_BRADFORD, [(l * to[0]) / from[0], (m * to[1]) / from[1], (s * to[2]) / from[2]]);
-  };
 }
 
 /** The colour of a reflectance by wavelength in nm; may leave 0..1, as colours outside Rec. 709 do. */

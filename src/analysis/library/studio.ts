@@ -22,9 +22,9 @@ const BOXES: readonly SoftBox[] = [
 const ZENITH: Rgb = [0.52, 0.55, 0.6];
 /** Where walls meet the table. */
 const WALL: Rgb = [0.31, 0.315, 0.325];
-const TABLE: Rgb = [0.14, 0.133, 0.127];
+const TABLE: Rgb = [0.27, 0.257, 0.246];
 /** Of the table right below, which the sphere keeps the light from. */
-const SHADED = 0.35;
+const SHADED = 0.16;
 /** How soft edges are where nothing is blurred, in radians. */
 const EDGE = 0.03;
 
@@ -42,7 +42,7 @@ export function studioRadiance([x, y, z]: Vec3, blur: number): [number, number, 
   const sum: [number, number, number] = [0, 0, 0];
   for (let c = 0; c < 3; c++) {
     const up = WALL[c]! + (ZENITH[c]! - WALL[c]!) * height;
-    const down = TABLE[c]! * (1 - (1 - SHADED) * depth * depth);
+    const down = TABLE[c]! * (SHADED + (1 - SHADED) * (1 - depth) ** 2);
     sum[c] = down + (up - down) * above;
   }
   for (const { towards, width, height: tall, radiance } of BOXES) {

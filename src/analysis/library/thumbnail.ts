@@ -20,7 +20,7 @@ export interface ThumbnailSubject {
 }
 
 /** Changes whenever pictures do, so that kept ones are made anew. */
-export const THUMBNAIL_VERSION = 1;
+export const THUMBNAIL_VERSION = 2;
 
 /** The sphere's part of the square. */
 const FILL = 0.94;

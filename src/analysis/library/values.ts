@@ -1,6 +1,6 @@
 /** How values of the library are derived from what is published. */
 import type { ParameterValue } from '../../brdf/model.ts';
-import { srgbToLinear } from '../../color/srgb.ts';
+import { labToRgb } from '../../color/lab.ts';
 import { findModel } from '../../scene/models.ts';
 import type { Rgb } from '../plots/curve.ts';
 import { SODIUM_D, specularOf, substanceParameters } from '../substances/parameters.ts';
@@ -121,19 +121,49 @@ export function glossyMatte(
   return { id, title, category, look, source: `${source} ${SHARED}` };
 }
 
-/** Linear Rec. 709 of 8-bit sRGB, to four digits. */
-export function srgb(...bytes: readonly [number, number, number]): Rgb {
-  const linear = (byte: number) => Number(srgbToLinear(byte / 255).toFixed(4));
-  return [linear(bytes[0]), linear(bytes[1]), linear(bytes[2])];
-}
-
 export const grey = (value: number): Rgb => [value, value, value];
 
 export const BY_EYE = 'By eye.';
 export const JENSEN =
-  'Diffuse reflectance measured by H. W. Jensen, S. R. Marschner, M. Levoy and P. Hanrahan, 2001, "A Practical Model for Subsurface Light Transport", table 1.';
-export const OKE =
-  'Albedo within the range of T. R. Oke, 1987, "Boundary Layer Climates", 2nd edition, tables 1.1 and 8.1; hue by eye.';
-/** C. S. McCamy et al. made the chart; its maker publishes the patches' sRGB. */
-export const COLORCHECKER =
-  'Colour of a patch of the ColorChecker (C. S. McCamy, H. Marcus and J. G. Davidson, 1976, "A Color-Rendition Chart", J. Appl. Photogr. Eng. 2, 95), in its maker’s sRGB values.';
+  'Diffuse reflectance measured by H. W. Jensen, S. R. Marschner, M. Levoy and P. Hanrahan, 2001, "A Practical Model for Subsurface Light Transport", in their table of parameters.';
+
+/** Of the ColorChecker, by their numbers: L*a*b* under D50 that its maker published in 2005. */
+export const PATCHES = {
+  1: [37.986, 13.555, 14.059],
+  2: [65.711, 18.13, 17.81],
+  4: [43.139, -13.095, 21.905],
+  7: [62.661, 36.067, 57.096],
+  10: [30.325, 22.976, -21.587],
+  13: [28.778, 14.179, -50.297],
+  14: [55.261, -38.342, 31.37],
+  15: [42.101, 53.378, 28.19],
+  16: [81.733, 4.039, 79.819],
+  19: [96.539, -0.425, 1.186],
+  22: [50.867, -0.153, -0.27],
+} as const satisfies Record<number, Rgb>;
+
+interface Published {
+  readonly color: Rgb;
+  readonly source: string;
+}
+
+/** A patch of charts made before November 2014, when pigments changed. */
+export function patch(number: keyof typeof PATCHES): Published {
+  return {
+    color: labToRgb(PATCHES[number]).map((value) => Number(value.toFixed(4))) as unknown as Rgb,
+    source: `Colour of patch ${number} of the ColorChecker (C. S. McCamy, H. Marcus and J. G. Davidson, 1976, "A Color-Rendition Chart", J. Appl. Photogr. Eng. 2, 95) by its maker’s L*a*b* of 2005.`,
+  };
+}
+
+/** @param low of the range that the table gives, for sunlight with its infrared @param table its number there */
+export function oke(table: '1.1' | '8.1', low: number, high: number): string {
+  return `Albedo between ${low} and ${high}, as T. R. Oke, 1987, "Boundary Layer Climates", 2nd edition, table ${table}, has it for sunlight with its infrared; hue by eye.`;
+}
+
+/** Measured with a spectrophotometer of the hand; figures of deploy/v2/materials.json of April 2026, which is CC0. */
+export const nix = (subject: string): string =>
+  `Colour measured by A. Palmqvist, 2026, physicallybased.info, as “${subject}”.`;
+
+/** Of a spectrum that was measured with an integrating sphere. @param numbers of the measurements */
+export const spectral = (numbers: string): string =>
+  `Colour of a measured spectrum: J. A. Jakubiec, Spectral Materials Database, ${numbers}, by physicallybased.info.`;

@@ -260,6 +260,21 @@ export const CONDUCTORS: readonly (Tabulated | LorentzDrude)[] = [
     ],
   },
   {
+    name: 'stainless-steel',
+    title: 'Stainless steel, 18 % Cr and 9 % Ni',
+    kind: 'conductor',
+    source:
+      'B. Karlsson and C. G. Ribbing, 1982, "Optical constants and spectral selectivity of stainless steel and its oxides", J. Appl. Phys. 53, 6340',
+    // biome-ignore format: a table
+    samples: [
+      [380, 1.4786, 2.6681], [400, 1.5249, 2.7925], [420, 1.5762, 2.924], [440, 1.6386, 3.0555], [460, 1.7169, 3.1785],
+      [480, 1.7921, 3.2933], [500, 1.8636, 3.401], [520, 1.9349, 3.5072], [540, 2.0072, 3.6166], [560, 2.0807, 3.7298],
+      [580, 2.1557, 3.8451], [600, 2.2325, 3.9594], [620, 2.3122, 4.0504], [640, 2.3962, 4.1378], [660, 2.4839, 4.2261],
+      [680, 2.5731, 4.3155], [700, 2.6617, 4.4066], [720, 2.7486, 4.5036], [740, 2.8331, 4.5851], [760, 2.9143, 4.6435],
+      [780, 2.9915, 4.7009],
+    ],
+  },
+  {
     name: 'titanium',
     title: 'Titanium, Ti',
     kind: 'conductor',

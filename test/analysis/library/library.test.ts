@@ -2,7 +2,6 @@ import { describe, expect, test } from 'vitest';
 import { directionalAlbedo } from '../../../src/analysis/albedo.ts';
 import { categories, materialOf } from '../../../src/analysis/library/entry.ts';
 import { materialLibrary } from '../../../src/analysis/library/library.ts';
-import { srgb } from '../../../src/analysis/library/values.ts';
 import { createQuickEvaluator } from '../../../src/analysis/quick-evaluator.ts';
 import { reflectedColor } from '../../../src/analysis/substances/reflectance.ts';
 import { substances } from '../../../src/analysis/substances/table.ts';
@@ -76,9 +75,5 @@ describe('the library of materials', () => {
     const gold = materialLibrary.get('gold-polished')?.look.parameters.baseColor as readonly number[];
     const exact = reflectedColor(substances.get('gold')!, 1);
     for (const [i, c] of gold.entries()) expect(c).toBeCloseTo(Math.min(1, exact[i]!), 12);
-  });
-
-  test('reads sRGB', () => {
-    expect(srgb(255, 0, 188)).toEqual([1, 0, 0.5029]);
   });
 });

@@ -89,6 +89,8 @@ export const library: Catalogue = {
   'Nickel plate': 'Niquelado',
   'Iron, ground': 'Hierro rectificado',
   'Iron, cast': 'Hierro fundido',
+  'Stainless steel': 'Acero inoxidable',
+  'Stainless steel, brushed': 'Acero inoxidable cepillado',
   'Titanium, satin': 'Titanio satinado',
   Tungsten: 'Wolframio',
   Platinum: 'Platino',
@@ -123,6 +125,7 @@ export const library: Catalogue = {
   'Acrylic, piano black': 'Acrílico negro piano',
   'Polycarbonate, blue': 'Policarbonato azul',
   'Polycarbonate, textured grey': 'Policarbonato gris texturado',
+  'Polystyrene, foamed': 'Poliestireno expandido',
   'Spectralon, white standard': 'Spectralon, patrón blanco',
   'Wall paint, white': 'Pintura de pared, blanca',
   'Paint, white satin': 'Pintura blanca satinada',
@@ -135,14 +138,16 @@ export const library: Catalogue = {
   'Paint, olive matte': 'Pintura oliva mate',
   'Paint, neutral grey': 'Pintura gris neutro',
   'Paint, black matte': 'Pintura negra mate',
-  'Car paint, red': 'Pintura de coche, roja',
-  'By eye: a base under a layer of clear varnish.': 'A ojo: una base bajo una capa de barniz transparente.',
-  'Car paint, racing green': 'Pintura de coche, verde de carreras',
-  'Car paint, black': 'Pintura de coche, negra',
-  'Car paint, silver metallic': 'Pintura de coche, plata metalizada',
-  'Car paint, blue metallic': 'Pintura de coche, azul metalizada',
-  'Car paint, copper metallic': 'Pintura de coche, cobre metalizada',
-  'Car paint, pearl white': 'Pintura de coche, blanco perla',
+  'Car paint, red': 'Carrocería roja',
+  'By eye: pigment below clear varnish of index 1.5.':
+    'A ojo: pigmento bajo un barniz transparente de índice 1.5.',
+  'By eye: flakes below clear varnish.': 'A ojo: escamas metálicas bajo un barniz transparente.',
+  'Car paint, racing green': 'Carrocería verde inglés',
+  'Car paint, black': 'Carrocería negra',
+  'Car paint, silver metallic': 'Carrocería plata metalizado',
+  'Car paint, blue metallic': 'Carrocería azul metalizado',
+  'Car paint, copper metallic': 'Carrocería cobre metalizado',
+  'Car paint, pearl white': 'Carrocería blanco perla',
   Denim: 'Tela vaquera',
   Linen: 'Lino',
   'Cotton, red': 'Algodón rojo',
@@ -173,6 +178,11 @@ export const library: Catalogue = {
   'Potato, flesh': 'Patata, pulpa',
   Chicken: 'Pollo',
   Chocolate: 'Chocolate',
+  Lemon: 'Limón',
+  Orange: 'Naranja',
+  Banana: 'Plátano',
+  Carrot: 'Zanahoria',
+  'Egg, brown': 'Huevo moreno',
   'Pine, planed': 'Pino cepillado',
   'By eye: the mean colour of the wood, without its grain.':
     'A ojo: el color medio de la madera, sin su veta.',
@@ -212,14 +222,16 @@ export const library: Catalogue = {
   'Gloss of index 1.41, of silicone rubber. Colour and roughness by eye.':
     'Brillo de índice 1.41, el de la silicona. Color y rugosidad a ojo.',
   'Office paper': 'Papel de oficina',
+  'Tissue paper': 'Papel tisú',
   Newsprint: 'Papel de periódico',
   Cardboard: 'Cartón',
   'Photographic paper': 'Papel fotográfico',
-  'ColorChecker, white patch': 'ColorChecker, parche blanco',
+  'ColorChecker, white patch': 'ColorChecker, muestra blanca',
   'Snow, fresh': 'Nieve reciente',
   'Sand, dry': 'Arena seca',
   'Soil, wet': 'Tierra húmeda',
-  Asphalt: 'Asfalto',
+  'Asphalt, worn': 'Asfalto gastado',
+  'Asphalt, fresh': 'Asfalto reciente',
   Grass: 'Hierba',
   Charcoal: 'Carbón vegetal',
   'Colour from measured n and k: {source}. Surface by eye.':
@@ -231,19 +243,29 @@ export const library: Catalogue = {
   'Gloss from the index of refraction: {source}. Colour and roughness by eye.':
     'Brillo por el índice de refracción: {source}. Color y rugosidad a ojo.',
   'Diffuse reflectance .99 in the visible: {source}.': 'Reflectancia difusa .99 en el visible: {source}.',
-  'Albedo within the range of {source}; hue by eye.': 'Albedo dentro del intervalo de {source}; tono a ojo.',
-  'Albedo within the range of {source}; hue by eye. Roughness by eye. Base and gloss share the light, so that the gloss is at most 16 % at grazing angles.':
-    'Albedo dentro del intervalo de {source}; tono a ojo. Rugosidad a ojo. Base y brillo se reparten la luz, de modo que el brillo es como mucho el 16 % en ángulos rasantes.',
-  'Albedo within the range of {source}; hue by eye. Gloss of a binder of index 1.5; roughness by eye.':
-    'Albedo dentro del intervalo de {source}; tono a ojo. Brillo de un aglutinante de índice 1.5; rugosidad a ojo.',
-  'Colour of a patch of the ColorChecker ({source}), in its maker’s sRGB values. Gloss of a binder of index 1.5; roughness by eye.':
-    'Color de un parche de la ColorChecker ({source}), con los valores sRGB de su fabricante. Brillo de un aglutinante de índice 1.5; rugosidad a ojo.',
-  'Colour of a patch of the ColorChecker ({source}), in its maker’s sRGB values. Roughness by eye. Base and gloss share the light, so that the gloss is at most 16 % at grazing angles.':
-    'Color de un parche de la ColorChecker ({source}), con los valores sRGB de su fabricante. Rugosidad a ojo. Base y brillo se reparten la luz, de modo que el brillo es como mucho el 16 % en ángulos rasantes.',
-  'Colour of a patch of the ColorChecker ({source}), in its maker’s sRGB values. Base and gloss share the light, so that the gloss is at most 16 % at grazing angles.':
-    'Color de un parche de la ColorChecker ({source}), con los valores sRGB de su fabricante. Base y brillo se reparten la luz, de modo que el brillo es como mucho el 16 % en ángulos rasantes.',
-  'Colour of a patch of the ColorChecker ({source}), in its maker’s sRGB values. Gloss of index 1.4, of the outer skin ({skin}); roughness by eye.':
-    'Color de un parche de la ColorChecker ({source}), con los valores sRGB de su fabricante. Brillo de índice 1.4, el de la capa exterior de la piel ({skin}); rugosidad a ojo.',
+  'Albedo between {low} and {high}, as {source} has it for sunlight with its infrared; hue by eye.':
+    'Albedo entre {low} y {high}, el que da {source} para la luz solar, infrarrojo incluido; tono a ojo.',
+  'Albedo between {low} and {high}, as {source} has it for sunlight with its infrared; hue by eye. Roughness by eye. Base and gloss share the light, so that the gloss is at most 16 % at grazing angles.':
+    'Albedo entre {low} y {high}, el que da {source} para la luz solar, infrarrojo incluido; tono a ojo. Rugosidad a ojo. Base y brillo se reparten la luz, de modo que el brillo es como mucho el 16 % en ángulos rasantes.',
+  'Albedo between {low} and {high}, as {source} has it for sunlight with its infrared; hue by eye. Gloss of a binder of index 1.5; roughness by eye.':
+    'Albedo entre {low} y {high}, el que da {source} para la luz solar, infrarrojo incluido; tono a ojo. Brillo de un aglutinante de índice 1.5; rugosidad a ojo.',
+  'Colour of patch {number} of the ColorChecker ({source}) by its maker’s L*a*b* of 2005. Gloss of a binder of index 1.5; roughness by eye.':
+    'Color de la muestra {number} de la ColorChecker ({source}) según el L*a*b* de 2005 de su fabricante. Brillo de un aglutinante de índice 1.5; rugosidad a ojo.',
+  'Colour of patch {number} of the ColorChecker ({source}) by its maker’s L*a*b* of 2005. Roughness by eye. Base and gloss share the light, so that the gloss is at most 16 % at grazing angles.':
+    'Color de la muestra {number} de la ColorChecker ({source}) según el L*a*b* de 2005 de su fabricante. Rugosidad a ojo. Base y brillo se reparten la luz, de modo que el brillo es como mucho el 16 % en ángulos rasantes.',
+  'Colour of patch {number} of the ColorChecker ({source}) by its maker’s L*a*b* of 2005. Gloss of index 1.4, of the outer skin ({skin}); roughness by eye.':
+    'Color de la muestra {number} de la ColorChecker ({source}) según el L*a*b* de 2005 de su fabricante. Brillo de índice 1.4, el de la capa exterior de la piel ({skin}); rugosidad a ojo.',
+  'Colour measured by {source}, as “{subject}”.': 'Color medido por {source}, con el nombre «{subject}».',
+  'Colour measured by {source}, as “{subject}”. Gloss and roughness by eye.':
+    'Color medido por {source}, con el nombre «{subject}». Brillo y rugosidad a ojo.',
+  'Colour measured by {source}, as “{subject}”. Roughness by eye. Base and gloss share the light, so that the gloss is at most 16 % at grazing angles.':
+    'Color medido por {source}, con el nombre «{subject}». Rugosidad a ojo. Base y brillo se reparten la luz, de modo que el brillo es como mucho el 16 % en ángulos rasantes.',
+  'Colour measured by {source}, as “{subject}”. Gloss of natural rubber, index 1.519: {rubber}. Roughness by eye.':
+    'Color medido por {source}, con el nombre «{subject}». Brillo del caucho natural, índice 1.519: {rubber}. Rugosidad a ojo.',
+  'Colour of a measured spectrum: {source}, by physicallybased.info.':
+    'Color de un espectro medido: {source}, por physicallybased.info.',
+  'Colour of a measured spectrum: {source}, by physicallybased.info. Gloss and roughness by eye.':
+    'Color de un espectro medido: {source}, por physicallybased.info. Brillo y rugosidad a ojo.',
   'Colour by eye. Gloss of index 1.4, of the outer skin ({skin}); roughness by eye.':
     'Color a ojo. Brillo de índice 1.4, el de la capa exterior de la piel ({skin}); rugosidad a ojo.',
   'Gloss of cellulose: {source}. Colour, sheen and roughness by eye.':

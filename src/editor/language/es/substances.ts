@@ -20,6 +20,7 @@ export const substances: Catalogue = {
   'Rhodium, Rh': 'Rodio, Rh',
   'Silicon, Si, a semiconductor': 'Silicio, Si, un semiconductor',
   'Silver, Ag': 'Plata, Ag',
+  'Stainless steel, 18 % Cr and 9 % Ni': 'Acero inoxidable, 18 % Cr y 9 % Ni',
   'Titanium, Ti': 'Titanio, Ti',
   'Tungsten, W': 'Wolframio, W',
   'Vanadium, V': 'Vanadio, V',
@@ -46,6 +47,6 @@ export const substances: Catalogue = {
   'Strontium titanate, SrTiO3': 'Titanato de estroncio, SrTiO3',
   'Sylvite, KCl': 'Silvina, KCl',
   'Water at 20 degrees': 'Agua a 20 grados',
-  'Window glass, soda-lime': 'Vidrio de ventana, sodocálcico',
+  'Window glass, soda-lime': 'Vidrio sodocálcico',
   'Garnet, Y3Al5O12': 'Granate, Y3Al5O12',
 };
