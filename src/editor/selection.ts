@@ -1,6 +1,6 @@
 /** What the page's menus, keys and rows do to all that is selected. */
 import { isMember, type MemberRef } from '../scene/entity.ts';
-import { groupEntities, ungroup } from '../scene/group-commands.ts';
+import { groupEntities, shift, ungroup } from '../scene/group-commands.ts';
 import { groupOf, groupsAround, keyOf, membersOf, wholeGroups } from '../scene/groups.ts';
 import {
   duplicateEntities,
@@ -59,6 +59,11 @@ export function groupSelected({ store, state }: Context): void {
 
 export function ungroupSelected({ store, state }: Context): void {
   attempt(t('Not ungrouped'), () => ungroup(store, state.value.selected));
+}
+
+/** Lets what is selected change places with its neighbours in the outliner. */
+export function shiftSelected({ store, state }: Context, by: -1 | 1): void {
+  attempt(t('Not moved'), () => shift(store, state.value.selected, by));
 }
 
 /** Everything that is in the innermost groups of what is selected that are not selected as a whole. */

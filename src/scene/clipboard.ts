@@ -8,7 +8,7 @@ import { compactDocument, isSame } from './compact.ts';
 import { createDocument, parseDocument } from './document.ts';
 import { describeEntities, type EntityKind, type EntityRef, entity, namesOf } from './entity.ts';
 import { DocumentError } from './error.ts';
-import { keyOf, wholeGroups } from './groups.ts';
+import { keyOf, memberCounts, wholeGroups } from './groups.ts';
 import { materialMaps } from './material-schema.ts';
 import { modelNames } from './models.ts';
 import { FreeIds, FreeNames } from './names.ts';
@@ -30,7 +30,7 @@ export function isClipboardText(text: string): boolean {
 
 /** The text of these. */
 export function copyEntities(document: Document, refs: readonly EntityRef[]): string {
-  const part: Document = { ...createDocument(FILE), ...partOf(document, refs) };
+  const part: Document = { ...createDocument(FILE), ...partOf(document, inOrder(document, refs)) };
   const chosen = refs.map(({ kind, id }) => ({ kind, id }));
   return JSON.stringify({
     format: FORMAT,
@@ -38,6 +38,16 @@ export function copyEntities(document: Document, refs: readonly EntityRef[]): st
     selected: chosen,
     document: compactDocument(part),
   });
+}
+
+/** As they come in the document, each kind by itself. */
+function inOrder(document: Document, refs: readonly EntityRef[]): EntityRef[] {
+  const chosen = new Set(refs.map(keyOf));
+  return kinds.flatMap((kind) =>
+    Object.keys(document[kind])
+      .map((id) => ({ kind, id }))
+      .filter((ref) => chosen.has(keyOf(ref))),
+  );
 }
 
 type Part = Pick<Document, 'lights' | 'objects' | 'groups' | 'materials' | 'models' | 'assets'>;
@@ -136,8 +146,10 @@ export function pasteEntities(store: DocumentStore, text: string): EntityRef[] {
   const pasted = new Map<string, EntityRef>();
   store.edit(`Paste ${describeEntities(from, selected)}`, (draft) => {
     const merge = new Merge(draft, store.document, from);
+    const counts = memberCounts(from);
+    for (const id of Object.keys(from.groups)) if (counts.has(id)) merge.addGroup(id);
     // Materials first: objects that were copied with theirs get the copies.
-    const ordered = [...selected].sort((a, b) => rank(a) - rank(b));
+    const ordered = inOrder(from, selected).sort((a, b) => rank(a) - rank(b));
     for (const ref of ordered) pasted.set(keyOf(ref), { kind: ref.kind, id: merge.add(ref) });
   });
   return selected.flatMap((ref) => pasted.get(keyOf(ref)) ?? []);
@@ -181,7 +193,7 @@ class Merge {
     const original = entity(this.#from, kind, id);
     const name = this.#names[kind].take(original.name);
     const own = this.#ids[kind].take(id.replace(/-\d+$/, ''));
-    const group = original.group === null ? null : this.#group(original.group);
+    const group = original.group === null ? null : this.addGroup(original.group);
     const common = { name, locked: false, group };
     if (kind === 'lights')
       this.#draft.lights[own] = { ...structuredClone(entity(this.#from, kind, id)), ...common };
@@ -190,6 +202,19 @@ class Merge {
       if (object.geometry.type === 'gltf') object.geometry.asset = this.#asset(object.geometry.asset);
       this.#draft.objects[own] = { ...object, ...common, material: this.#material(object.material, false) };
     }
+    return own;
+  }
+
+  /** Its id in the draft; the groups that it is in come with it. */
+  addGroup(id: string): string {
+    const known = this.#groups.get(id);
+    if (known !== undefined) return known;
+    const { name, parent } = entity(this.#from, 'groups', id);
+    const own = this.#ids.groups.take(id.replace(/-\d+$/, ''));
+    this.#groups.set(id, own);
+    this.#draft.groups[own] = { name: this.#names.groups.take(name), parent: null };
+    const group = this.#draft.groups[own];
+    if (parent !== null && group) group.parent = this.addGroup(parent);
     return own;
   }
 
@@ -240,18 +265,6 @@ class Merge {
     trustAsset(asset);
     const own = keepAsset(this.#draft, asset);
     this.#assets.set(id, own);
-    return own;
-  }
-
-  #group(id: string): string {
-    const known = this.#groups.get(id);
-    if (known !== undefined) return known;
-    const { name, parent } = entity(this.#from, 'groups', id);
-    const own = this.#ids.groups.take(id.replace(/-\d+$/, ''));
-    this.#groups.set(id, own);
-    this.#draft.groups[own] = { name: this.#names.groups.take(name), parent: null };
-    const group = this.#draft.groups[own];
-    if (parent !== null && group) group.parent = this.#group(parent);
     return own;
   }
 }

@@ -1,9 +1,27 @@
 /** Commands for groups, each one undo step; see groups.ts. A group whose last member leaves it goes, too. */
 import { current } from 'immer';
-import { describeEntities, type EntityRef, entity, isMember, type MemberRef, namesOf } from './entity.ts';
+import {
+  describeEntities,
+  type EntityRef,
+  entity,
+  isMember,
+  type MemberRef,
+  memberKinds,
+  namesOf,
+} from './entity.ts';
 import { DocumentError } from './error.ts';
-import { commonGroup, groupOf, groupsAround, isWithin, memberCounts, unitsOf } from './groups.ts';
+import { commonGroup, groupOf, groupsAround, isWithin, keyOf, memberCounts, unitsOf } from './groups.ts';
 import { freeId, freeName } from './names.ts';
+import {
+  arrange,
+  type Beside,
+  idsMoved,
+  idsShifted,
+  outlined,
+  type PlacedRef,
+  parentOf,
+  placedKinds,
+} from './order.ts';
 import type { Document } from './schema.ts';
 import type { DocumentStore, Draft } from './store.ts';
 
@@ -66,12 +84,16 @@ function dissolve(draft: Draft, document: Document, id: string): void {
   delete draft.groups[id];
 }
 
-/** Moves objects, lights and groups into a group, or out of all of them; refused for a group into itself. */
+/**
+ * Moves objects, lights and groups into a group, or out of all of them, beside something there or to the end; refused for a
+ * group into itself. Among themselves they stay in the order of the outliner.
+ */
 export function moveToGroup(
   store: DocumentStore,
   refs: readonly MemberRef[],
   groups: readonly string[],
   target: string | null,
+  beside?: Beside,
 ): void {
   const { document } = store;
   const name = target === null ? null : entity(document, 'groups', target).name;
@@ -83,9 +105,57 @@ export function moveToGroup(
     groups.length === 1 && refs.length === 0 && first
       ? entity(document, 'groups', first).name
       : describeEntities(document, refs) || `${groups.length} groups`;
-  store.edit(name === null ? `Move ${what} out of groups` : `Move ${what} into ${name}`, (draft) => {
+  const stay =
+    groups.every((id) => entity(document, 'groups', id).parent === target) &&
+    refs.every((ref) => groupOf(document, ref) === target);
+  const recipe = (draft: Draft) => {
     put(draft, groups, refs, target);
+    const chosen = new Set([...groups.map((id) => keyOf({ kind: 'groups', id })), ...refs.map(keyOf)]);
+    const inOrder = outlined(document);
+    for (const kind of ['groups', ...memberKinds] as const) {
+      const moved = inOrder.filter((ref) => ref.kind === kind && chosen.has(keyOf(ref)));
+      const ids = moved.map(({ id }) => id);
+      if (ids.length > 0) arrange(draft, document, kind, idsMoved(document, kind, ids, target, beside));
+    }
     dropEmptied(draft, document);
+  };
+  if (stay) store.edit(`Reorder ${what}`, recipe);
+  else store.edit(name === null ? `Move ${what} out of groups` : `Move ${what} into ${name}`, recipe);
+}
+
+/** Puts materials beside another one. */
+export function moveMaterials(store: DocumentStore, ids: readonly string[], beside: Beside): void {
+  const { document } = store;
+  const chosen = new Set(ids);
+  const moved = Object.keys(document.materials).filter((id) => chosen.has(id));
+  const refs = moved.map((id) => ({ kind: 'materials', id }) as const);
+  store.edit(`Reorder ${describeEntities(document, refs)}`, (draft) => {
+    arrange(draft, document, 'materials', idsMoved(document, 'materials', moved, null, beside));
+  });
+}
+
+/** Lets what is selected, whole groups as groups, change places with what is before or after it in its group. */
+export function shift(store: DocumentStore, refs: readonly EntityRef[], by: -1 | 1): void {
+  const { document } = store;
+  const { groups, loose } = unitsOf(document, refs);
+  const placed: PlacedRef[] = [
+    ...groups.map((id) => ({ kind: 'groups', id }) as const),
+    ...loose,
+    ...refs.filter(({ kind }) => kind === 'materials'),
+  ];
+  const [first] = groups;
+  const what = groups.length === 1 && first ? entity(document, 'groups', first).name : undefined;
+  store.edit(`Reorder ${what ?? describeEntities(document, refs)}`, (draft) => {
+    for (const kind of placedKinds) {
+      const own = placed.filter((ref) => ref.kind === kind);
+      let now: Document = document;
+      for (const parent of new Set(own.map(({ id }) => parentOf(document, kind, id)))) {
+        const ids = idsShifted(now, kind, parent, new Set(own.map(({ id }) => id)), by);
+        const entries: Record<string, unknown> = document[kind];
+        now = { ...now, [kind]: Object.fromEntries(ids.map((id) => [id, entries[id]])) };
+      }
+      arrange(draft, document, kind, Object.keys(now[kind]));
+    }
   });
 }
 

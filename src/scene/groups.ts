@@ -1,5 +1,6 @@
 /** What is in which group. */
 import { type EntityRef, isMember, type MemberRef, memberKinds } from './entity.ts';
+import type { PlacedRef } from './order.ts';
 import type { Document } from './schema.ts';
 
 type Groups = Document['groups'];
@@ -79,4 +80,4 @@ export function commonGroup(groups: Groups, of: readonly (string | null)[]): str
   return null;
 }
 
-export const keyOf = ({ kind, id }: EntityRef): string => `${kind} ${id}`;
+export const keyOf = ({ kind, id }: EntityRef | PlacedRef): string => `${kind} ${id}`;

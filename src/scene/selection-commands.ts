@@ -5,7 +5,8 @@ import { dropEmptied } from './group-commands.ts';
 import { keyOf, membersOf, wholeGroups } from './groups.ts';
 import { removeMaterials } from './material-commands.ts';
 import { FreeIds, FreeNames } from './names.ts';
-import type { Document } from './schema.ts';
+import { insertAfter, type PlacedKind, parentOf } from './order.ts';
+import type { Document, Light, Material, SceneObject } from './schema.ts';
 import type { DocumentStore } from './store.ts';
 
 /** What is locked among these. */
@@ -46,49 +47,76 @@ export function removeEntities(
 }
 
 /**
- * Copies them, groups that are there as a whole among them, and returns the copies, in the same order. The copy
- * of an object shares its material; copies are not locked, for they are there to be moved.
+ * Copies them, groups that are there as a whole among them, and returns the copies, in the same order. Copies come behind
+ * the last of their originals in the same group. The copy of an object shares its material; copies are not locked, for they
+ * are there to be moved.
  */
 export function duplicateEntities(store: DocumentStore, refs: readonly EntityRef[]): EntityRef[] {
   const { document } = store;
   const originals = unique(refs);
+  for (const { kind, id } of originals) entity(document, kind, id);
+  const chosen = new Set(originals.map(keyOf));
   const copies = new Map<string, EntityRef>();
   store.edit(`Duplicate ${describeEntities(document, originals)}`, (draft) => {
-    const whole = wholeGroups(document, originals);
-    const groupNames = new FreeNames(namesOf(document.groups));
-    const groupIds = new FreeIds(Object.keys(document.groups));
     const copyOf = new Map<string, string>();
-    for (const id of whole) {
-      const { name, parent } = entity(document, 'groups', id);
-      const copy = groupIds.take(baseOf(id));
-      draft.groups[copy] = { name: groupNames.take(name), parent };
-      copyOf.set(id, copy);
-    }
-    for (const copy of copyOf.values()) {
-      const group = entity(draft, 'groups', copy);
-      group.parent = copyOf.get(group.parent ?? '') ?? group.parent;
-    }
+    const groups = copiesOf(document, 'groups', wholeGroups(document, originals), (id, own) => {
+      copyOf.set(id, own);
+      return entity(document, 'groups', id);
+    });
+    const around = (group: string | null) => copyOf.get(group ?? '') ?? group;
+    insertAfter(
+      draft,
+      'groups',
+      mapped(groups, (copy) => ({ ...copy, parent: around(copy.parent) })),
+    );
     for (const kind of ['lights', 'objects', 'materials'] as const) {
-      const names = new FreeNames(namesOf(document[kind]));
-      const ids = new FreeIds(Object.keys(document[kind]));
-      for (const ref of originals) {
-        if (ref.kind !== kind) continue;
-        const original = entity(document, kind, ref.id);
-        const id = ids.take(baseOf(ref.id));
-        const target: Record<string, object> = draft[kind];
-        target[id] = {
-          ...structuredClone(original),
-          name: names.take(original.name),
-          ...('group' in original && {
-            locked: false,
-            group: copyOf.get(original.group ?? '') ?? original.group,
-          }),
-        };
-        copies.set(keyOf(ref), { kind, id });
-      }
+      const ids = Object.keys(document[kind]).filter((id) => chosen.has(keyOf({ kind, id })));
+      const added = copiesOf<Light | SceneObject | Material>(document, kind, ids, (id, own) => {
+        copies.set(keyOf({ kind, id }), { kind, id: own });
+        return entity(document, kind, id);
+      });
+      insertAfter(
+        draft,
+        kind,
+        mapped(added, (copy) =>
+          'group' in copy ? { ...copy, locked: false, group: around(copy.group) } : copy,
+        ),
+      );
     }
   });
   return originals.flatMap((ref) => copies.get(keyOf(ref)) ?? []);
+}
+
+type Added<T> = Map<string, (readonly [id: string, copy: T])[]>;
+
+/** Copies under free ids and names, by the last original of the same group, which they are to follow. */
+function copiesOf<T extends { name: string }>(
+  document: Document,
+  kind: PlacedKind,
+  originals: Iterable<string>,
+  make: (id: string, copy: string) => T,
+): Added<T> {
+  const names = new FreeNames(namesOf(document[kind]));
+  const ids = new FreeIds(Object.keys(document[kind]));
+  const byGroup = new Map<string | null, { last: string; own: (readonly [string, T])[] }>();
+  for (const id of originals) {
+    const group = parentOf(document, kind, id);
+    const copy = ids.take(baseOf(id));
+    const original = make(id, copy);
+    const entry = [copy, { ...structuredClone(original), name: names.take(original.name) }] as const;
+    const others = byGroup.get(group);
+    if (others) {
+      others.own.push(entry);
+      others.last = id;
+    } else byGroup.set(group, { last: id, own: [entry] });
+  }
+  return new Map([...byGroup.values()].map(({ last, own }) => [last, own]));
+}
+
+function mapped<T, R>(added: Added<T>, change: (copy: T) => R): Added<R> {
+  return new Map(
+    [...added].map(([id, own]) => [id, own.map(([copy, value]) => [copy, change(value)] as const)]),
+  );
 }
 
 /** `sphere-12` was made of `sphere`. */

@@ -13,7 +13,7 @@ import {
 import { applyPreset, presetNames } from '../../src/scene/effect-presets.ts';
 import type { MemberRef } from '../../src/scene/entity.ts';
 import { addableGeometries } from '../../src/scene/geometry-schema.ts';
-import { groupEntities, moveToGroup, ungroup } from '../../src/scene/group-commands.ts';
+import { groupEntities, moveToGroup, shift, ungroup } from '../../src/scene/group-commands.ts';
 import { lightTypes } from '../../src/scene/light-schema.ts';
 import {
   addMaterial,
@@ -132,6 +132,16 @@ export const commandsOfScene: readonly SceneCommand[] = [
     const groups = Object.keys(target.document.groups);
     const into = pick([...groups, null]) ?? null;
     moveToGroup(target, some(membersIn(target), pick), [], into);
+  },
+  (target, pick) => {
+    const beside = pick(membersIn(target));
+    const group = beside && (target.document[beside.kind][beside.id]?.group ?? null);
+    if (beside && group !== undefined)
+      moveToGroup(target, some(membersIn(target), pick), [], group, { ...beside, side: 'before' });
+  },
+  (target, pick) => {
+    const members = some(membersIn(target), pick);
+    if (members.length > 0) shift(target, members, pick([-1, 1]) ?? 1);
   },
   (target, pick) =>
     removeEntities(target, [], Object.keys(target.document.groups).slice(0, pick([0, 1]) ?? 0)),

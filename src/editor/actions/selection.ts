@@ -12,6 +12,7 @@ import {
   selectedMembers,
   selectGroups,
   selectInverse,
+  shiftSelected,
   toggleLocked,
   toggleVisible,
   ungroupSelected,
@@ -60,6 +61,20 @@ export function selectionActions(session: Session): Action[] {
       keys: ['Ctrl+Shift+G'],
       enabled: grouped,
       run: () => ungroupSelected(session),
+    },
+    {
+      id: 'edit.orderUp',
+      title: t('Up in the outliner'),
+      keys: ['Alt+ArrowUp'],
+      enabled: something,
+      run: () => shiftSelected(session, -1),
+    },
+    {
+      id: 'edit.orderDown',
+      title: t('Down in the outliner'),
+      keys: ['Alt+ArrowDown'],
+      enabled: something,
+      run: () => shiftSelected(session, 1),
     },
     {
       id: 'edit.hide',

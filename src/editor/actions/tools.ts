@@ -65,7 +65,7 @@ export function toolActions(session: Session): Action[] {
     {
       id: 'tool.drop',
       title: t('Drop to what is below'),
-      keys: ['End', 'Alt+ArrowDown'],
+      keys: ['End', 'D'],
       enabled: () => state.value.selected.some(({ kind }) => kind === 'objects'),
       run: () => session.hands()?.drop(),
     },

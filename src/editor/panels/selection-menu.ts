@@ -21,6 +21,8 @@ export function selectionEntries(session: Session): MenuEntry[] {
     'separator',
     actionEntry(actions, 'edit.group', { icon: 'folder' }),
     actionEntry(actions, 'edit.ungroup'),
+    actionEntry(actions, 'edit.orderUp'),
+    actionEntry(actions, 'edit.orderDown'),
     actionEntry(actions, 'edit.hide', {
       icon: hidden ? 'eye' : 'eyeOff',
       label: hidden ? t('Show') : t('Hide'),

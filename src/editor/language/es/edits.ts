@@ -25,6 +25,7 @@ export const edits: Catalogue = {
   'the group would be in itself': 'el grupo estaría dentro de sí mismo',
   'Move {what} out of groups': 'Sacar {what} de los grupos',
   'Move {what} into {name}': 'Mover {what} a {name}',
+  'Reorder {name}': 'Reordenar {name}',
   'expected {expected}, {found}': 'se esperaba {expected}, {found}',
   'a property name in double quotes': 'un nombre de propiedad entre comillas dobles',
   'the rest of a string': 'el resto de una cadena',

@@ -74,8 +74,10 @@ export function createOutliner(session: Session): Outliner {
   function draw(first: number, last: number): void {
     const near = rows.slice(first, last);
     const wanted = new Set(near.map(({ key }) => key));
-    // The name that is being typed stays.
-    if (!renaming) for (const [key, { element: old }] of elements) if (!wanted.has(key)) drop(key, old);
+    // The name that is being typed stays, and what is being dragged.
+    if (!renaming)
+      for (const [key, { element: old }] of elements)
+        if (!wanted.has(key) && key !== drag.key) drop(key, old);
     const chosen = chosenIn(store.document, state.value.selected);
     let before: Element | null = list.firstElementChild;
     near.forEach((row, i) => {
@@ -198,7 +200,13 @@ export function createOutliner(session: Session): Outliner {
     } else choose(move.to, move.how);
   });
 
-  installRowDrag(session, list, (event) => rows[rowOf(event)]);
+  const drag = installRowDrag(session, {
+    list,
+    view,
+    rows: () => rows,
+    rowAt: rowOf,
+    elementOf: (key) => elements.get(key)?.element,
+  });
 
   /** Brings what was selected elsewhere into sight. */
   function reveal(entity: Entity | null): void {
@@ -226,7 +234,12 @@ export function createOutliner(session: Session): Outliner {
   store.subscribe(({ document, previous, reason }) => {
     if (reason === 'open') folded.clear();
     const parts = ['groups', 'lights', 'objects', 'materials'] as const;
-    if (parts.some((part) => document[part] !== previous[part])) rebuild();
+    if (!parts.some((part) => document[part] !== previous[part])) return;
+    const before = indexOf(current);
+    rebuild();
+    // What was moved stays in sight.
+    const now = indexOf(current);
+    if (now !== before && now >= 0 && current !== 'scene') view.reveal(now);
   });
   state.subscribe(({ selected, selection }, previous) => {
     if (selected === previous.selected) return;

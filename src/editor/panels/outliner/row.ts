@@ -56,7 +56,7 @@ export function createRow(key: string): OutlinerRow {
       element.classList.toggle('section-row', target.type === 'section');
       element.classList.toggle('scene-row', target.type === 'scene');
       if (target.type === 'entity') element.dataset.entity = key;
-      if (visible !== null) element.draggable = true;
+      element.draggable = target.type === 'entity' || (target.type === 'group' && visible !== null);
       if (target.type === 'group') element.dataset.group = target.id;
       symbol.toggleAttribute('hidden', row.icon === null);
       if (row.icon) setIcon(symbol, row.icon);

@@ -1,6 +1,7 @@
 /** What the outliner shows, as plain rows: the scene, the groups with what is in them, then the rest by kind. */
-import type { EntityKind, MemberRef } from '../../../scene/entity.ts';
+import type { EntityKind } from '../../../scene/entity.ts';
 import { geometryNames } from '../../../scene/geometry-schema.ts';
+import { contentsOf } from '../../../scene/order.ts';
 import type { Document } from '../../../scene/schema.ts';
 import { t, translate } from '../../language/language.ts';
 import type { Entity } from '../../state.ts';
@@ -156,22 +157,6 @@ function flatten(items: readonly Item[], into: TreeRow[]): void {
     into.push(row);
     if (row.expanded) flatten(children, into);
   });
-}
-
-interface Contents {
-  readonly groups: string[];
-  readonly members: MemberRef[];
-}
-
-/** What is directly in each group; null is what is in none. */
-function contentsOf(document: Document): ReadonlyMap<string | null, Contents> {
-  const found = new Map<string | null, Contents>([[null, { groups: [], members: [] }]]);
-  for (const id of Object.keys(document.groups)) found.set(id, { groups: [], members: [] });
-  for (const [id, { parent }] of Object.entries(document.groups)) found.get(parent)?.groups.push(id);
-  for (const kind of ['lights', 'objects'] as const)
-    for (const [id, { group }] of Object.entries<{ group: string | null }>(document[kind]))
-      found.get(group)?.members.push({ kind, id });
-  return found;
 }
 
 /** The symbol of what it is. */
