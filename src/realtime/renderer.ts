@@ -29,6 +29,7 @@ import { EffectChain } from './frame/effect-chain.ts';
 import { GpuTimes } from './frame/gpu-times.ts';
 import { FrameInputs } from './frame/inputs.ts';
 import { CopyPass } from './frame/pass.ts';
+import { GroundCatcher } from './ground/ground-catcher.ts';
 import { type Companion, type Display, OutputPass } from './output-pass.ts';
 
 export interface RendererOptions {
@@ -95,6 +96,8 @@ export class RealtimeRenderer {
   readonly #lighting = new LampLighting();
   readonly #meter = new ExposureMeter();
   readonly #dataViews = new DataViews(this.#inputs);
+  /** While the frame has one. */
+  #ground: GroundCatcher | null = null;
   /** Of the last frame. */
   #camera: Camera | undefined;
   #drawnAt = 0;
@@ -132,7 +135,7 @@ export class RealtimeRenderer {
 
   /** Further frames of a scene that stands still would be better ones. */
   get unsettled(): boolean {
-    return this.#effects.unsettled;
+    return this.#effects.unsettled || this.#ground?.unsettled === true;
   }
 
   /** The exposure is on its way to what the meter says: to show the last frame again is enough. */
@@ -156,7 +159,7 @@ export class RealtimeRenderer {
     this.#fit(camera, settings, size);
     this.#follow(settings);
     this.three.setRenderTarget(this.#radiance);
-    const compiled = this.three.compileAsync(scene, camera);
+    const compiled = this.#withGround(scene, () => this.three.compileAsync(scene, camera));
     this.three.setRenderTarget(null);
     await compiled;
   }
@@ -182,6 +185,7 @@ export class RealtimeRenderer {
     this.times.mark('surfaces');
     this.#effects.beforeScene(three, scene, camera);
     if (showsLight(show)) {
+      this.#ground?.prepare(three, scene, camera, settings);
       const [x, y] = this.#effects.jitter();
       this.#drawScene(scene, camera, (-2 * x) / width, (2 * y) / height);
       this.times.mark('scene');
@@ -268,10 +272,20 @@ export class RealtimeRenderer {
     this.#copy.dispose();
     this.#meter.dispose();
     this.#dataViews.dispose();
+    this.#ground?.dispose();
     this.#radiance.dispose();
   }
 
+  #withGround<T>(scene: Scene, draw: () => T): T {
+    return this.#ground === null ? draw() : this.#ground.within(scene, draw);
+  }
+
   #follow(settings: FrameSettings): void {
+    if (settings.ground?.shadowCatcher) this.#ground ??= new GroundCatcher();
+    else {
+      this.#ground?.dispose();
+      this.#ground = null;
+    }
     this.#effects.follow(this.three, settings, this.#dataViews.context(settings.view.show ?? 'picture'));
     this.#lighting.drawsShadows = this.#effects.drawsShadows;
     // Another renderer beside this one may have drawn since.
@@ -288,7 +302,7 @@ export class RealtimeRenderer {
     projectionMatrix.elements[9]! -= y;
     projectionMatrixInverse.copy(projectionMatrix).invert();
     three.setRenderTarget(this.#radiance);
-    three.render(scene, camera);
+    this.#withGround(scene, () => three.render(scene, camera));
     three.setRenderTarget(null);
     projectionMatrix.copy(before);
     projectionMatrixInverse.copy(inverseBefore);

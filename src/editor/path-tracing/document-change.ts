@@ -34,18 +34,43 @@ export function applyChange(before: Document | null, change: DocumentChange): Do
   return { ...before, ...change.singles, ...Object.fromEntries(parts) } as Document;
 }
 
-/** What the packed scene depends on; of the rest a rendering is told with its camera and settings. */
-const packed = [
-  'fog',
-  'environment',
-  'background',
-  'lights',
-  'objects',
-  'materials',
-  'models',
-  'assets',
-] as const satisfies readonly (keyof Document)[];
+/** What the packed scene depends on as a whole; of the rest a rendering is told with its camera and settings. */
+const packed = ['fog', 'environment', 'background', 'ground'] as const satisfies readonly Single[];
 
+/** Of each thing, what is for people alone; nor is the order of things seen. */
+const unseen = {
+  lights: ['name', 'locked', 'group'],
+  objects: ['name', 'locked', 'group'],
+  materials: ['name'],
+  models: [],
+  assets: ['name'],
+} as const satisfies Partial<Record<Collection, readonly string[]>>;
+
+/** Whether the same light is in both. */
 export function sameScene(a: Document, b: Document): boolean {
-  return packed.every((name) => a[name] === b[name]);
+  return (
+    packed.every((name) => a[name] === b[name]) &&
+    (Object.keys(unseen) as (keyof typeof unseen)[]).every(
+      (name) => a[name] === b[name] || sameEntries(a[name], b[name], unseen[name]),
+    )
+  );
+}
+
+type Things = Readonly<Record<string, object>>;
+
+function sameEntries(a: Things, b: Things, but: readonly string[]): boolean {
+  const ids = Object.keys(a);
+  return ids.length === Object.keys(b).length && ids.every((id) => sameFields(a[id], b[id], but));
+}
+
+/** Fields that have not changed are the same value: documents share them. */
+function sameFields(a: object | undefined, b: object | undefined, but: readonly string[]): boolean {
+  if (a === b) return true;
+  if (a === undefined || b === undefined) return false;
+  const other = new Map(Object.entries(b));
+  const entries = Object.entries(a);
+  return (
+    entries.length === other.size &&
+    entries.every(([name, value]) => but.includes(name) || (other.has(name) && other.get(name) === value))
+  );
 }

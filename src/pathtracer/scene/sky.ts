@@ -1,4 +1,4 @@
-import { type DataTexture, DataUtils, HalfFloatType, MathUtils } from 'three/webgpu';
+import { type DataTexture, MathUtils } from 'three/webgpu';
 import { luminance } from '../../color/rec709.ts';
 import type { AssetLoader } from '../../scene/assets.ts';
 import {
@@ -7,6 +7,7 @@ import {
   environmentScale,
   isComputed,
 } from '../../scene/environment-map.ts';
+import { environmentTexels } from '../../scene/environment-texels.ts';
 import type { Asset, Document, EnvironmentSource } from '../../scene/schema.ts';
 import { PathTracerError } from './error.ts';
 import { SKY_SLOTS } from './layout.ts';
@@ -58,28 +59,11 @@ export class SkyMaps {
 const sameSource = (a: EnvironmentSource, b: EnvironmentSource | null): boolean =>
   JSON.stringify(a) === JSON.stringify(b);
 
-/** The largest half float: what an image says is infinite was brighter than its format. */
-const BRIGHTEST = 65_504;
-
-export function readSkyMap({ image, type, flipY, name }: DataTexture): SkyMap {
-  const { data, width, height } = image as {
-    data: Float32Array | Uint16Array | null;
-    width: number;
-    height: number;
-  };
-  if (data === null || data.length !== 4 * width * height)
-    throw new PathTracerError(`${name}: the environment is not an image of RGBA texels`);
-  const texels = new Float32Array(data.length);
-  const row = 4 * width;
-  for (let y = 0; y < height; y += 1) {
-    const to = (flipY ? height - 1 - y : y) * row;
-    for (let i = 0; i < row; i += 1) {
-      const stored = data[y * row + i] as number;
-      const value = type === HalfFloatType ? DataUtils.fromHalfFloat(stored) : stored;
-      texels[to + i] = value >= 0 ? (value < Number.POSITIVE_INFINITY ? value : BRIGHTEST) : 0;
-    }
-  }
-  return { texels, width, height };
+export function readSkyMap(texture: DataTexture): SkyMap {
+  const map = environmentTexels(texture);
+  if (map === null)
+    throw new PathTracerError(`${texture.name}: the environment is not an image of RGBA texels`);
+  return map;
 }
 
 /** The radiance that ambient and hemisphere lights bring from above and below the horizon. */

@@ -1,7 +1,7 @@
 /** What an effect is to the frame: a definition that says when it is there, and what it draws when it is. */
 import type { PerspectiveCamera, RenderTarget, Scene, WebGPURenderer } from 'three/webgpu';
 import type { EffectName, Effects } from '../../scene/effects-schema.ts';
-import type { Background, Camera, Document, Environment, Fog, View } from '../../scene/schema.ts';
+import type { Background, Camera, Document, Environment, Fog, Ground, View } from '../../scene/schema.ts';
 import type { FrameInputs } from './inputs.ts';
 
 export type ViewSettings = Pick<View, 'exposure' | 'toneMapping' | 'resolutionScale'> &
@@ -18,6 +18,8 @@ export interface FrameSettings {
   readonly environment?: Environment;
   /** A transparent one gives the picture alpha. */
   readonly background?: Background;
+  /** Left out: none. */
+  readonly ground?: Ground;
 }
 
 /** The settings of a frame that has effects. */

@@ -1,0 +1,105 @@
+import { expect, test } from 'vitest';
+import type { Document } from '../../src/scene/schema.ts';
+import { material, scene } from '../pathtracer/scenes.ts';
+import { trace } from '../pathtracer/tracer.ts';
+import { frameMaker } from './effects/frames.ts';
+import { reduced } from './effects/reference.ts';
+
+/** Shadows on the ground that is not seen: the interactive picture against the path tracer's. */
+
+const SIZE = { width: 48, height: 32 };
+/** Pixels of the frame beside each of the path traced picture's. */
+const FINER = 4;
+const maker = await frameMaker({
+  width: SIZE.width * FINER,
+  height: SIZE.height * FINER,
+  frames: 8,
+});
+
+function stage(parts: Record<string, unknown>): Document {
+  return scene({
+    camera: { fov: 40, position: [0.5, 3, 5], target: [0.2, 0, 0] },
+    ground: { shadowCatcher: true },
+    background: { type: 'color', color: [1, 1, 1] },
+    effects: { shadows: { enabled: true, samples: 16, resolution: 512 } },
+    objects: {
+      ball: {
+        name: 'ball',
+        material: 'm',
+        position: [-0.7, 0.5, 0],
+        geometry: { type: 'sphere', radius: 0.5, widthSegments: 64, heightSegments: 48 },
+      },
+      box: {
+        name: 'box',
+        material: 'm',
+        position: [0.9, 0.5, 0.2],
+        rotation: [0, 30, 0],
+        geometry: { type: 'box', width: 0.6, height: 1, depth: 0.6 },
+      },
+    },
+    materials: { m: material('lambert') },
+    ...parts,
+  });
+}
+
+/** Of the pixels that show nothing but ground, the mean distance of what is kept off the background, and of the pictures. */
+async function compare(document: Document, samples: number, channel = 0) {
+  const shown = reduced(await maker.draw(document), FINER);
+  const film = await trace(document, { ...SIZE, samples, maxDepth: 1 });
+  const [traced, alpha] = [film.mean(), film.meanAlpha()];
+  let [error, bias, worst, kept, sum, count] = [0, 0, 0, 0, 0, 0];
+  for (let i = 0; i < SIZE.width * SIZE.height; i++) {
+    if (film.alpha[i]! > 0) continue;
+    const reference = channel === 3 ? 1 - alpha[i]! : traced[3 * i + channel]!;
+    const found = channel === 3 ? 1 - shown.pixels[4 * i + 3]! : shown.pixels[4 * i + channel]!;
+    error += Math.abs(found - reference);
+    bias += found - reference;
+    worst = Math.max(worst, Math.abs(found - reference));
+    kept += 1 - reference;
+    sum += reference;
+    count += 1;
+  }
+  return { error: error / sum, bias: bias / kept, worst, kept: kept / count };
+}
+
+const lamps = {
+  sun: { type: 'directional', illuminance: 3, position: [2, 4, 1], angularDiameter: 3 },
+  point: { type: 'point', intensity: 10, position: [-2, 3, 1], radius: 0.1 },
+  spot: { type: 'spot', intensity: 20, position: [0, 4, 2], target: [0, 0, 0], cutoff: 35, penumbra: 0.4 },
+  rectangle: {
+    type: 'rectangle',
+    luminance: 5,
+    position: [-2, 2, 2],
+    target: [0, 0.3, 0],
+    width: 1,
+    height: 1,
+  },
+};
+
+test.each(Object.keys(lamps))('the shadow of a %s', async (name) => {
+  const document = stage({ lights: { lamp: lamps[name as keyof typeof lamps] } });
+  const { error, kept, bias } = await compare(document, 64);
+  console.log(name, { error, kept, bias });
+  expect(kept).toBeGreaterThan(0.004);
+  expect(error).toBeLessThan(0.01);
+});
+
+test('an even sky', async () => {
+  const document = stage({ environment: { source: { type: 'constant', color: [1, 1, 1] } } });
+  const found = await compare(document, 128);
+  console.log('sky', found);
+  expect(found.error).toBeLessThan(0.01);
+});
+
+test('a studio with a lamp, in a transparent picture', async () => {
+  const box = { azimuth: 60, elevation: 40, width: 50, height: 50, luminance: 8, color: [1, 0.6, 0.3] };
+  const document = stage({
+    environment: { source: { type: 'studio', dome: 0.3, boxes: [box] }, rotation: 40 },
+    lights: { lamp: lamps.point },
+    background: { type: 'transparent' },
+    ground: { shadowCatcher: true, strength: 0.8, radius: 2.5 },
+  });
+  const found = await compare(document, 128, 3);
+  console.log('studio', found);
+  expect(found.error).toBeLessThan(0.015);
+});
