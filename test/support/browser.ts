@@ -20,9 +20,15 @@ export async function launchBrowser(): Promise<Browser> {
 
 const GPU_FLAGS = ['--no-sandbox', '--enable-unsafe-webgpu', '--enable-features=Vulkan'];
 
-/** The software GPU, for WebGL and WebGPU alike. Without the last two a WebGPU canvas loses its device. */
+/**
+ * The software GPU, for WebGL and WebGPU alike. Without the last two a WebGPU canvas loses its device.
+ * What the page draws beside them (text, menus, plots) goes past it: shaders that a processor runs are a slow way to fill a
+ * rectangle, and took half of the time of the tests.
+ */
 const SOFTWARE_FLAGS = [
   '--no-sandbox',
+  '--disable-gpu-rasterization',
+  '--disable-accelerated-2d-canvas',
   '--use-gl=angle',
   '--use-angle=swiftshader',
   '--enable-unsafe-swiftshader',
