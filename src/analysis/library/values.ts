@@ -164,6 +164,6 @@ export function oke(table: '1.1' | '8.1', low: number, high: number): string {
 export const nix = (subject: string): string =>
   `Colour measured by A. Palmqvist, 2026, physicallybased.info, as “${subject}”.`;
 
-/** Of a spectrum that was measured with an integrating sphere. @param numbers of the measurements */
+/** Of a measured spectrum. @param numbers of the measurements there */
 export const spectral = (numbers: string): string =>
   `Colour of a measured spectrum: J. A. Jakubiec, Spectral Materials Database, ${numbers}, by physicallybased.info.`;

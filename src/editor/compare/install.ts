@@ -72,7 +72,19 @@ export function installComparison(context: ComparisonContext): void {
   state.subscribe((now, before) => {
     if (now.comparison !== before.comparison) follow();
     // The path tracer has the document's material alone.
-    else if (now.comparison && now.rendering !== 'interactive') state.set({ comparison: null });
+    else if (now.comparison && now.rendering !== 'interactive') {
+      const { comparison } = now;
+      state.set({ comparison: null });
+      toast(
+        'info',
+        t('The comparison has ended'),
+        t('It is of the interactive picture; path traced pictures show A.'),
+        {
+          label: t('Compare again'),
+          run: () => state.set({ comparison, rendering: 'interactive' }),
+        },
+      );
+    }
   });
   store.subscribe(({ document, previous, reason }) => {
     if (!state.value.comparison) return;

@@ -4,6 +4,7 @@ import { attempt } from '../commands.ts';
 import { t } from '../language/language.ts';
 import { contentOf, giveLook, type Offer, titleOf } from '../panels/library/chosen.ts';
 import type { Session } from '../session.ts';
+import { toast } from '../ui/toast.ts';
 import type { Comparison } from './comparison.ts';
 
 export function startComparison({ store, state }: Session, material: string, offer: Offer): void {
@@ -19,6 +20,8 @@ export function compareModel({ state }: Session, material: string, model: string
 
 /** What is compared is the interactive picture. */
 function begin(state: Session['state'], comparison: Comparison): void {
+  if (state.value.rendering !== 'interactive')
+    toast('info', t('Materials are compared in the interactive picture'));
   state.set({ comparison, rendering: 'interactive', divider: 0.5 });
 }
 

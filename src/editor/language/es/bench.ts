@@ -64,7 +64,7 @@ export const bench: Catalogue = {
   'Look down the normal with the light at twice θl: the highlight is then at θl':
     'Mirar por la normal con la luz al doble de θl: el brillo está entonces en θl',
   'Whole model': 'Modelo entero',
-  'Double click: default': 'Doble clic: por omisión',
+  'Double click: default': 'Doble clic: valor por omisión',
   "Put the scene's first directional light where l is over a horizontal surface":
     'Pone la primera luz direccional de la escena donde está l sobre una superficie horizontal',
   Place: 'Colocar',

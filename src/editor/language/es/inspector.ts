@@ -109,7 +109,7 @@ export const inspector: Catalogue = {
     'La BRDF: una incluida, o un archivo .brdf o medido que se suelta en la página',
   '{min} to {max}': 'de {min} a {max}',
   'Range {range}': 'Intervalo: {range}',
-  'Double click: default ({value})': 'Doble clic: por omisión ({value})',
+  'Double click: default ({value})': 'Doble clic: valor por omisión ({value})',
   Shape: 'Forma',
   'The shape stays as it was': 'La forma se queda como estaba',
   'Another shape in the same place': 'Otra forma en el mismo lugar',

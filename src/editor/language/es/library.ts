@@ -51,7 +51,7 @@ export const library: Catalogue = {
   'Fabrics and leather': 'Telas y cuero',
   Skin: 'Piel',
   'Wax and soap': 'Cera y jabón',
-  Food: 'Comida',
+  Food: 'Alimentos',
   Wood: 'Madera',
   Stone: 'Piedra',
   Ceramics: 'Cerámica',

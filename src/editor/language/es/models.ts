@@ -27,22 +27,22 @@ export const models: Catalogue = {
   'Index of refraction: 1 air (no reflection head-on), 1.33 water, 1.5 glass, 2.42 diamond.':
     'Índice de refracción: 1 aire (sin reflejo de frente), 1.33 agua, 1.5 vidrio, 2.42 diamante.',
   'Glass, water, gems: a rough boundary of a transparent body, which reflects and refracts':
-    'Vidrio, agua, gemas: el límite rugoso de un cuerpo transparente, que refleja y refracta',
+    'Vidrio, agua, gemas: la interfaz rugosa de un cuerpo transparente, que refleja y refracta',
   reflection: 'reflexión',
   refraction: 'refracción',
   'Index of refraction of the body: 1.33 water, 1.5 glass, 1.77 sapphire, 2.42 diamond.':
     'Índice de refracción del cuerpo: 1.33 agua, 1.5 vidrio, 1.77 zafiro, 2.42 diamante.',
   "0 clear, 1 frosted. The facets' width alpha is its square.":
-    '0 claro, 1 esmerilado. La anchura alfa de las facetas es su cuadrado.',
+    '0 transparente, 1 esmerilado. La anchura alfa de las facetas es su cuadrado.',
   'Transmission color': 'Color de transmisión',
   'What is left of white light after transmissionDepth inside. Linear Rec. 709.':
     'Lo que queda de la luz blanca tras recorrer transmissionDepth por dentro. Rec. 709 lineal.',
   'Transmission depth': 'Profundidad de transmisión',
   'The way after which transmissionColor is left, in m; 0 is a clear body.':
-    'El recorrido tras el que queda transmissionColor, en m; 0 es un cuerpo claro.',
+    'El recorrido tras el que queda transmissionColor, en m; 0 es un cuerpo incoloro.',
   Scatter: 'Dispersión interna',
   'Light scattered inside, over the same way: 0 is clear, much is milky.':
-    'Luz que se dispersa por dentro en el mismo recorrido: 0 es claro, mucha es lechoso.',
+    'Luz que se dispersa por dentro en el mismo recorrido: 0 es transparente, mucha es lechoso.',
   'Scatter anisotropy': 'Anisotropía de la dispersión',
   'Scattering backward (-), evenly (0) or forward (+).':
     'Dispersión hacia atrás (-), por igual (0) o hacia delante (+).',
@@ -56,11 +56,11 @@ export const models: Catalogue = {
   transmissionLobe: 'lóbulo de transmisión',
   'Base color': 'Color base',
   "The surface's colour; of clear bodies what two passes through the surface leave. Linear Rec. 709.":
-    'El color de la superficie; en cuerpos claros, lo que dejan dos pasos por la superficie. Rec. 709 lineal.',
+    'El color de la superficie; en cuerpos transparentes, lo que dejan dos pasos por la superficie. Rec. 709 lineal.',
   '0 a dielectric, 1 a metal, which lets nothing through.':
     '0 un dieléctrico, 1 un metal, que no deja pasar nada.',
   "0 mirror-like and clear, 1 fully rough. The facets' width alpha is its square.":
-    '0 como un espejo y clara, 1 del todo rugosa. La anchura alfa de las facetas es su cuadrado.',
+    '0 como un espejo y transparente, 1 del todo rugosa. La anchura alfa de las facetas es su cuadrado.',
   Anisotropic: 'Anisotropía',
   'Stretches the highlight along the tangent: 0 round, 1 ten times as long as wide.':
     'Estira el brillo a lo largo de la tangente: 0 redondo, 1 diez veces más largo que ancho.',
@@ -90,7 +90,7 @@ export const models: Catalogue = {
   'A sheet, as a leaf or a pane, that encloses nothing and bends no ray.':
     'Una lámina, como una hoja o un cristal de ventana, que no encierra nada y no desvía ningún rayo.',
   'Light scattered inside, over the same way: 0 is clear, much is milk, wax or skin.':
-    'Luz que se dispersa por dentro en el mismo recorrido: 0 es claro, mucha es leche, cera o piel.',
+    'Luz que se dispersa por dentro en el mismo recorrido: 0 es transparente, mucha es leche, cera o piel.',
   'The principled model as the thesis writes it': 'El modelo principled como lo escribe la tesis',
   subsurfaceLobe: 'lóbulo subsuperficial',
   clearcoatDistribution: 'distribución del barniz',

@@ -280,7 +280,7 @@ export const schema: Catalogue = {
     'Radio de la lámpara: lo suaves que son sus sombras. Lo que ilumina entera recibe la luz como desde su centro',
   'Angle between the axis and the edge of the cone; no light beyond it':
     'Ángulo entre el eje y el borde del cono; más allá no hay luz',
-  Cutoff: 'Corte',
+  Cutoff: 'Ángulo de corte',
   's in I = I_max cos^s of the angle to the axis: larger is a tighter beam':
     's en I = I_max cos^s del ángulo con el eje: cuanto mayor, más estrecho el haz',
   Exponent: 'Exponente',
@@ -323,7 +323,7 @@ export const schema: Catalogue = {
   'Alpha mode': 'Modo de alfa',
   'With mask: what is less opaque than this is not there':
     'Con máscara: lo que es menos opaco que esto no está',
-  'Alpha cutoff': 'Corte de alfa',
+  'Alpha cutoff': 'Umbral de alfa',
   'With mask or blend: how opaque the surface is': 'Con máscara o mezcla: lo opaca que es la superficie',
   Opacity: 'Opacidad',
   'Show the faces’ backs too': 'Muestra también el reverso de las caras',

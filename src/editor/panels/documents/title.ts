@@ -22,7 +22,7 @@ export function createTitle(session: Session): HTMLElement {
   };
   const showState = (state: KeepState) => {
     button.dataset.keep = state.kind;
-    mark.replaceChildren(state.kind === 'failed' ? icon('warning') : markTexts[state.kind]);
+    mark.replaceChildren(state.kind === 'failed' ? icon('warning') : markOf(state.kind));
     button.dataset.keys = 'file.documents';
     button.dataset.tip = `${tipOf(state)}\n${t('Documents and versions')}`;
   };
@@ -33,7 +33,7 @@ export function createTitle(session: Session): HTMLElement {
   return button;
 }
 
-const markTexts = { unchanged: '', waiting: '•', kept: 'kept', failed: '' } as const;
+const markOf = (kind: KeepState['kind']) => (kind === 'kept' ? t('kept') : kind === 'waiting' ? '•' : '');
 
 function tipOf(state: KeepState): string {
   switch (state.kind) {
