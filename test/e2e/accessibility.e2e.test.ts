@@ -4,22 +4,15 @@
  */
 import axe from 'axe-core';
 import { expect, it } from 'vitest';
-import { createDocument } from '../../src/scene/document.ts';
-import { type LabPage, openLab } from './lab.ts';
+import { type LabPage, openLab, small as smallScene } from './lab.ts';
 
 const lab = await openLab();
 /** One of each kind, which a GPU made of software draws soon. */
-const small = {
-  query: '?scene=/small.json',
-  files: {
-    '/small.json': JSON.stringify({
-      ...createDocument('Small'),
-      materials: { gold: { name: 'Gold', model: 'principled' } },
-      objects: { ball: { name: 'Ball', material: 'gold', geometry: { type: 'sphere' } } },
-      lights: { lamp: { type: 'spot', name: 'Lamp', position: [2, 3, 2], intensity: 100 } },
-    }),
-  },
-};
+const small = smallScene({
+  materials: { gold: { name: 'Gold', model: 'principled' } },
+  objects: { ball: { name: 'Ball', material: 'gold', geometry: { type: 'sphere' } } },
+  lights: { lamp: { type: 'spot', name: 'Lamp', position: [2, 3, 2], intensity: 100 } },
+});
 
 /** What axe-core calls serious or critical, each with the elements that have it. */
 async function findings(page: LabPage, part: string, rules?: readonly string[]): Promise<string[]> {
@@ -170,7 +163,7 @@ it('keys can be found, changed, swapped and reset, and are kept', async () => {
   await keyboard.press('h');
   await page.page.locator('.bench').waitFor();
 
-  const again = await (await lab.open({ query: small.query, beside: page })).ready();
+  const again = await (await lab.open({ ...small, beside: page })).ready();
   await again.page.locator('[data-keys="view.bench"]').first().hover();
   await again.page.locator('.tooltip:has-text("(H)")').waitFor();
   await again.page.keyboard.press('F1');
@@ -197,7 +190,7 @@ it('the tour is offered once, points at real things, and ends with Escape', asyn
   expect(new Set(titles).size).toBe(8);
   await page.page.keyboard.press('Escape');
   expect(await page.page.locator('.tour-card').count()).toBe(0);
-  const again = await (await lab.open({ query: small.query, beside: page, init })).ready();
+  const again = await (await lab.open({ ...small, beside: page, init })).ready();
   expect(await again.page.locator('.invitation').count()).toBe(0);
   expect([...page.errors, ...again.errors]).toEqual([]);
   await page.page.close();

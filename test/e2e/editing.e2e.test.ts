@@ -1,16 +1,33 @@
-/** A person edits the default scene. */
+/** A person edits a scene. */
 import { readFile } from 'node:fs/promises';
 import { beforeAll, describe, expect, it } from 'vitest';
 import { encodePng } from '../../src/io/png.ts';
 import { addableGeometries, geometryNames } from '../../src/scene/geometry-schema.ts';
 import { lightDefaults, lightTypes } from '../../src/scene/light-schema.ts';
-import { type LabPage, openLab } from './lab.ts';
+import { type LabPage, openLab, small } from './lab.ts';
 
 const lab = await openLab();
 let page: LabPage;
 
+/** A ball and a box under a lamp. */
+const scene = small({
+  camera: { position: [0, 1, 4], target: [0, 0, 0] },
+  lights: {
+    ambient: { type: 'ambient' },
+    lamp: { type: 'point', name: 'Lamp', position: [2, 2, 2], intensity: 20 },
+  },
+  materials: {
+    gloss: { name: 'Gloss', model: 'principled', parameters: { roughness: 0.3 } },
+    clay: { name: 'Clay', model: 'lambert' },
+  },
+  objects: {
+    box: { name: 'Box', material: 'clay', position: [1.5, 0, -1], geometry: { type: 'box' } },
+    ball: { name: 'Ball', material: 'gloss', geometry: { type: 'sphere', radius: 0.8 } },
+  },
+});
+
 beforeAll(async () => {
-  page = await (await lab.open()).ready();
+  page = await (await lab.open(scene)).ready();
 });
 
 /** Black and white squares. */
@@ -33,6 +50,12 @@ async function selectPrincipled(): Promise<void> {
 }
 
 describe('the default scene', () => {
+  let page: LabPage;
+  beforeAll(async () => {
+    page = await (await lab.open()).ready();
+    return () => page.page.close();
+  });
+
   it('is not blank and reports no error', async () => {
     const { colors } = await page.picture();
     expect(colors).toBeGreaterThan(100);
@@ -110,46 +133,42 @@ describe('a slider', () => {
 
 describe('adding and deleting', () => {
   // One sphere: every light type is a new program for every material, and the GPU is made of software.
-  let small: LabPage;
+  let page: LabPage;
   beforeAll(async () => {
-    const scene = {
-      format: 'irradia',
-      version: 1,
-      materials: { clay: { name: 'Clay', model: 'lambert' } },
-      objects: { ball: { name: 'Ball', material: 'clay', geometry: { type: 'sphere' } } },
-    };
-    small = await lab.open({ query: '?scene=/scene.json', files: { '/scene.json': JSON.stringify(scene) } });
-    await small.ready();
+    const materials = { clay: { name: 'Clay', model: 'lambert' } };
+    const objects = { ball: { name: 'Ball', material: 'clay', geometry: { type: 'sphere' } } };
+    page = await (await lab.open(small({ materials, objects }))).ready();
+    return () => page.page.close();
   });
 
   it.each(addableGeometries)('a %s', async (type) => {
-    const before = await small.document();
-    await small.menu('Add', geometryNames[type]);
-    const after = await small.document();
+    const before = await page.document();
+    await page.menu('Add', geometryNames[type]);
+    const after = await page.document();
     const added = Object.keys(after.objects).filter((id) => !(id in before.objects));
     expect(added).toHaveLength(1);
     expect(after.objects[added[0] ?? '']?.geometry.type).toBe(type);
-    await small.page.keyboard.press('Delete');
-    expect(Object.keys((await small.document()).objects)).toEqual(Object.keys(before.objects));
-    await small.page.keyboard.press('Control+z');
-    await small.page.keyboard.press('Control+z');
-    expect(await small.document()).toEqual(before);
+    await page.page.keyboard.press('Delete');
+    expect(Object.keys((await page.document()).objects)).toEqual(Object.keys(before.objects));
+    await page.page.keyboard.press('Control+z');
+    await page.page.keyboard.press('Control+z');
+    expect(await page.document()).toEqual(before);
   });
 
   it.each(lightTypes)('a %s light', async (type) => {
-    const before = await small.document();
-    await small.menu('Add', lightDefaults[type].name);
-    const after = await small.document();
+    const before = await page.document();
+    await page.menu('Add', lightDefaults[type].name);
+    const after = await page.document();
     const added = Object.keys(after.lights).filter((id) => !(id in before.lights));
     expect(added).toHaveLength(1);
     expect(after.lights[added[0] ?? '']?.type).toBe(type);
-    await small.picture();
-    await small.page.keyboard.press('Delete');
-    expect(await small.document()).toEqual(before);
-    await small.page.keyboard.press('Control+z');
-    await small.page.keyboard.press('Control+z');
-    expect(await small.document()).toEqual(before);
-    expect(small.errors).toEqual([]);
+    await page.picture();
+    await page.page.keyboard.press('Delete');
+    expect(await page.document()).toEqual(before);
+    await page.page.keyboard.press('Control+z');
+    await page.page.keyboard.press('Control+z');
+    expect(await page.document()).toEqual(before);
+    expect(page.errors).toEqual([]);
   });
 });
 
@@ -270,7 +289,7 @@ describe('saving', () => {
     await page.page.keyboard.press('Control+s');
     const text = await readFile(await (await download).path(), 'utf8');
 
-    const fresh = await (await lab.open()).ready();
+    const fresh = await (await lab.open(small())).ready();
     expect(await fresh.document()).not.toEqual(saved);
     await fresh.drop([{ name: 'saved.json', content: text }]);
     await fresh.waitForToast('Opened');

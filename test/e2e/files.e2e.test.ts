@@ -3,10 +3,19 @@ import { describe, expect, it } from 'vitest';
 import { encodeExr } from '../../src/io/exr.ts';
 import { createDocument, serializeDocument } from '../../src/scene/document.ts';
 import { quadGlb } from './glb.ts';
-import { type LabPage, openLab } from './lab.ts';
+import { type LabPage, openLab, small } from './lab.ts';
 
 const lab = await openLab();
-const page: LabPage = await (await lab.open({ query: '?scene=thesis-demo02' })).ready();
+const page: LabPage = await (
+  await lab.open(
+    small({
+      camera: { position: [0, 1, 4], target: [0, 0, 0] },
+      lights: { key: { type: 'directional', position: [2, 4, 5] } },
+      materials: { clay: { name: 'Clay', model: 'lambert' } },
+      objects: { ball: { name: 'Ball', material: 'clay', geometry: { type: 'sphere' } } },
+    }),
+  )
+).ready();
 
 const RED = `analytic
 # A red that glows a little at the edge.
@@ -124,8 +133,7 @@ describe('an environment', () => {
 
 describe('the address', () => {
   it('opens the document that the server hands over', async () => {
-    const handed = serializeDocument({ ...createDocument(), name: 'Handed over' });
-    const other = await lab.open({ query: '?scene=/scene.json', files: { '/scene.json': handed } });
+    const other = await lab.open(small({ name: 'Handed over' }));
     await other.ready();
     expect((await other.document()).name).toBe('Handed over');
     expect(other.errors).toEqual([]);

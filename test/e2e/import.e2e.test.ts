@@ -9,12 +9,10 @@ import { encodePng } from '../../src/io/png.ts';
 import { encodeBase64 } from '../../src/scene/base64.ts';
 import { createDocument, serializeDocument } from '../../src/scene/document.ts';
 import { ktx2 } from '../io/ktx2-writer.ts';
-import { type LabPage, openLab } from './lab.ts';
+import { type LabPage, openLab, small } from './lab.ts';
 
 const lab = await openLab();
-const page: LabPage = await (
-  await lab.open({ query: '?scene=thesis-demo02', width: 560, height: 340 })
-).ready();
+const page: LabPage = await (await lab.open(small({}, { width: 560, height: 340 }))).ready();
 
 const bytesOf = (text: string): Uint8Array => new TextEncoder().encode(text);
 const checker = encodePng(

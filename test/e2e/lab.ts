@@ -27,6 +27,26 @@ export interface LabOptions {
   locale?: string;
 }
 
+/** What is in a document; the rest are its defaults. */
+type Content = Readonly<Record<string, unknown>> & { view?: object; environment?: object };
+
+/**
+ * What opens a document that a GPU made of software draws at once: a test that looks at something other than the scenes that
+ * ship opens one of its own, with no more in it than it needs.
+ */
+export function small(content: Content = {}, { files, ...options }: LabOptions = {}): LabOptions {
+  const document = {
+    ...{ format: 'irradia', version: 1, name: 'Small', ...content },
+    view: { resolutionScale: 0.25, ...content.view },
+    environment: { samples: 2, ...content.environment },
+  };
+  return {
+    query: '?scene=/small.json',
+    files: { '/small.json': JSON.stringify(document), ...files },
+    ...options,
+  };
+}
+
 export interface Lab {
   open(options?: LabOptions): Promise<LabPage>;
 }

@@ -1,12 +1,12 @@
 /** Nothing is lost: what was edited is there again after a crash, in versions, in links, without a network. */
 import { randomBytes } from 'node:crypto';
 import { expect, it } from 'vitest';
-import { createDocument, parseDocument, serializeDocument } from '../../src/scene/document.ts';
-import { type LabPage, openLab } from './lab.ts';
+import { parseDocument } from '../../src/scene/document.ts';
+import { type LabPage, openLab, small } from './lab.ts';
 
 const lab = await openLab();
-const small = '?scene=/scene.json';
-const files = { '/scene.json': serializeDocument(createDocument('Small')) };
+const scene = small();
+const { query = '', files = {} } = scene;
 
 /** Counts what is written to the database, by store: the lengths of texts, the sizes of blobs. */
 const COUNT_WRITES = `
@@ -33,7 +33,7 @@ async function crash(page: LabPage): Promise<void> {
 }
 
 it('a document with assets is there again after a crash, and an edit writes only what it touched', async () => {
-  const first = await (await lab.open({ query: small, files, init: COUNT_WRITES })).ready();
+  const first = await (await lab.open({ ...scene, init: COUNT_WRITES })).ready();
   const megabyte = randomBytes(1 << 20).toString('base64');
   await edit(
     first,
@@ -62,7 +62,7 @@ it('a document with assets is there again after a crash, and an edit writes only
 
   // The scene that opens instead would take long to draw in software.
   await second.page.route('**/assets/thesis-*.js', (route) =>
-    route.fulfill({ contentType: 'text/javascript', body: `export default ${files['/scene.json']}` }),
+    route.fulfill({ contentType: 'text/javascript', body: `export default ${files['/small.json']}` }),
   );
   await second.page.click('.toast >> text=Discard');
   await second.waitForToast('Deleted “With noise”');
@@ -88,7 +88,7 @@ it('a document with assets is there again after a crash, and an edit writes only
 });
 
 it('versions, copies and names of documents are in a dialog', async () => {
-  const page = await (await lab.open({ query: small, files, width: 1100, height: 700 })).ready();
+  const page = await (await lab.open({ ...scene, width: 1100, height: 700 })).ready();
   await edit(page, 'draft.view.exposure = 2;');
   await kept(page);
   await page.page.keyboard.press('Control+Shift+O');
@@ -131,7 +131,7 @@ it('versions, copies and names of documents are in a dialog', async () => {
 });
 
 it('a link opens in another browser as the same document, and takes nobody’s work away', async () => {
-  const page = await (await lab.open({ query: small, files })).ready();
+  const page = await (await lab.open(scene)).ready();
   await edit(
     page,
     `draft.name = 'Shared <img src=x onerror="window.ran = true">'; draft.view.exposure = -1;`,
@@ -141,7 +141,7 @@ it('a link opens in another browser as the same document, and takes nobody’s w
   const shared = await page.document();
   const link = new URL(address).hash;
 
-  const other = await (await lab.open({ query: small, files })).ready();
+  const other = await (await lab.open(scene)).ready();
   await edit(other, 'draft.name = "Their own";');
   await other.page.evaluate(`location.hash = ${JSON.stringify(link)}`);
   await other.waitForToast('“Their own” is kept');
@@ -159,7 +159,7 @@ it('a link opens in another browser as the same document, and takes nobody’s w
 });
 
 it('what does not fit says so: into the browser, into a link', async () => {
-  const page = await (await lab.open({ query: small, files })).ready();
+  const page = await (await lab.open(scene)).ready();
   const browser = await page.page.context().newCDPSession(page.page);
   const origin = new URL(page.url).origin;
   await browser.send('Storage.overrideQuotaForOrigin', { origin, quotaSize: 30_000 });
@@ -186,7 +186,7 @@ it('what does not fit says so: into the browser, into a link', async () => {
 
 it('where the browser keeps nothing, that is said, and work is not thrown away unasked', async () => {
   const init = `indexedDB.open = () => { throw new DOMException('not here', 'SecurityError'); };`;
-  const page = await (await lab.open({ query: small, files, init })).ready();
+  const page = await (await lab.open({ ...scene, init })).ready();
   await edit(page, 'draft.name = "Only here";');
   await page.waitForToast('This document is not being kept');
   await page.page.click('.toast .icon-button');
@@ -201,7 +201,7 @@ it('where the browser keeps nothing, that is said, and work is not thrown away u
 });
 
 it('Save writes the same file again where the browser lets a page write files', async () => {
-  const page = await (await lab.open({ query: small, files })).ready();
+  const page = await (await lab.open(scene)).ready();
   // A file of the browser's own stands for the one that a person would choose.
   await page.page.evaluate(`
     window.asked = 0;
@@ -225,7 +225,7 @@ it('Save writes the same file again where the browser lets a page write files', 
 });
 
 it('works without a network after the first visit, alone with itself as before', async () => {
-  const page = await (await lab.open({ query: small, files, serviceWorkers: 'allow' })).ready();
+  const page = await (await lab.open({ ...scene, serviceWorkers: 'allow' })).ready();
   await page.page.evaluate('navigator.serviceWorker.ready.then(() => true)');
   await page.endServer();
   await page.page.goto(`${page.url}?scene=thesis-demo02`);
@@ -242,7 +242,7 @@ it('tells when a newer build is ready, and loads it with what is open', async ()
     else ports[0].postMessage(false);
   });`;
   const withNext = { ...files, '/next.js': next };
-  const page = await (await lab.open({ query: small, files: withNext, serviceWorkers: 'allow' })).ready();
+  const page = await (await lab.open({ query, files: withNext, serviceWorkers: 'allow' })).ready();
   await page.page.evaluate('navigator.serviceWorker.ready.then(() => true)');
   await page.until('navigator.serviceWorker.controller !== null');
   await edit(page, 'draft.view.exposure = 2;');
