@@ -82,6 +82,12 @@ function floorAt(boxes: readonly Box[], eye: number, x: number, z: number): numb
   return standing.length > 0 ? Math.min(...standing) : 0;
 }
 
+/** The height of the lowest visible object, by the boxes around them; 0 if there is none. */
+export function lowestObject({ objects }: Document): number {
+  const visible = Object.values(objects).filter((object) => object.visible);
+  return visible.length > 0 ? Math.min(...visible.map((object) => bottom(boxOf(object)))) : 0;
+}
+
 const overlap = (a: Box, b: Box): boolean =>
   [0, 1, 2].every(
     (i) =>

@@ -1,4 +1,6 @@
 import { expect, it } from 'vitest';
+import { denoise } from '../../src/pathtracer/denoise/denoise.ts';
+import { denoiseAlpha } from '../../src/pathtracer/denoise/denoise-alpha.ts';
 import { levelRadiance } from '../../src/scene/level-irradiance.ts';
 import type { Document } from '../../src/scene/schema.ts';
 import { evenLight, material, meanOf, scene } from './scenes.ts';
@@ -143,6 +145,20 @@ it('strength, rim and a transparent background', async () => {
   expect(alpha[(SIZE * SIZE - 1) / 2]).toBe(1);
   // Adaptive sampling sees the noise that is in alpha alone.
   expect(film.shadowVariance(places().find(({ rho }) => rho < 1.5)!.pixel)).toBeGreaterThan(0);
+});
+
+it('the denoiser takes noise out of the alpha of shadows, and of their light before a colour', async () => {
+  const errorOf = (value: (pixel: number) => number) =>
+    Math.sqrt(places().reduce((sum, { pixel, rho }) => sum + (value(pixel) - kept(rho)) ** 2, 0));
+  const clear = await render(stage({ ...evenLight, background: { type: 'transparent' } }), 16);
+  const [noisy, alpha] = [clear.meanAlpha(), (await denoiseAlpha(clear))!];
+  expect(errorOf((pixel) => alpha[pixel]!)).toBeLessThan(0.5 * errorOf((pixel) => noisy[pixel]!));
+  const even = await render(stage(evenLight), 16);
+  expect(await denoiseAlpha(even)).toBeNull();
+  const [before, after] = [even.mean(), await denoise(even)];
+  expect(errorOf((pixel) => 1 - after[3 * pixel]!)).toBeLessThan(
+    0.5 * errorOf((pixel) => 1 - before[3 * pixel]!),
+  );
 });
 
 it('the ground hides what is below it, but no floor that lies in it', async () => {

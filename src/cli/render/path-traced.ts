@@ -1,6 +1,7 @@
 /** Path traced pictures: one, or the frames of an animation. */
 import { meterPicture } from '../../color/exposure.ts';
 import { denoise } from '../../pathtracer/denoise/denoise.ts';
+import { denoiseAlpha } from '../../pathtracer/denoise/denoise-alpha.ts';
 import type { RenderRecord } from '../../pathtracer/record.ts';
 import type { Document } from '../../scene/schema.ts';
 import { CliError } from '../command.ts';
@@ -73,12 +74,15 @@ async function renderShot(
     const range = { from: first, to: first + numbers };
     // An interruption ends the rendering; its picture is finished as any other.
     const denoised = options.denoise
-      ? await denoise(film, {
-          onProgress: (part) => bar.prepare(`${title}denoising, ${Math.floor(100 * part)} %`),
-        })
+      ? {
+          radiance: await denoise(film, {
+            onProgress: (part) => bar.prepare(`${title}denoising, ${Math.floor(100 * part)} %`),
+          }),
+          alpha: (await denoiseAlpha(film)) ?? film.meanAlpha(),
+        }
       : null;
     bar.clear();
-    const shown = denoised ?? film.mean();
+    const shown = denoised?.radiance ?? film.mean();
     const metered = view.exposureMode === 'auto' ? meterPicture(shown, width, height) : 0;
     const record = {
       ...planned,
@@ -95,7 +99,7 @@ async function renderShot(
             film,
             record,
             view.show === 'luminance',
-            transparent ? film.meanAlpha() : undefined,
+            transparent ? (denoised?.alpha ?? film.meanAlpha()) : undefined,
           );
     savePicture(path, `-o ${path}`, file);
     bar.end(result);

@@ -21,20 +21,21 @@ export const NOISY = 'noisy.';
 const RGB = ['R', 'G', 'B'];
 
 /**
- * @param denoised RGB, instead of the film's own radiance, which is then in a layer
+ * @param denoised instead of the film's own radiance and alpha, which are then in a layer
  * @param transparent whether there is an alpha channel, by which colours are multiplied as files of this kind have it
  */
 export function filmToExr(
   film: Film,
   record: RenderRecord,
   aovs: readonly Aov[],
-  denoised: Float32Array | null = null,
+  denoised: { readonly radiance: Float32Array; readonly alpha: Float32Array } | null = null,
   transparent = false,
 ): Uint8Array {
   const channels = [
-    ...layer('', RGB, denoised ?? film.mean()),
-    ...(transparent ? layer('', ['A'], film.meanAlpha()) : []),
+    ...layer('', RGB, denoised?.radiance ?? film.mean()),
+    ...(transparent ? layer('', ['A'], denoised?.alpha ?? film.meanAlpha()) : []),
     ...(denoised === null ? [] : layer(NOISY, RGB, film.mean())),
+    ...(denoised === null || !transparent ? [] : layer(NOISY, ['A'], film.meanAlpha())),
     ...(film.count.every((n) => n === film.count[0])
       ? []
       : [{ name: COUNTS, type: 'float' as const, pixels: Float32Array.from(film.count) }]),

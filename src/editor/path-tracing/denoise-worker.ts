@@ -1,5 +1,6 @@
 /** The denoiser's thread: it takes seconds, and is ended by ending the thread. */
 import { denoise } from '../../pathtracer/denoise/denoise.ts';
+import { denoiseAlpha } from '../../pathtracer/denoise/denoise-alpha.ts';
 import { Film } from '../../pathtracer/film.ts';
 import type { FromDenoiser } from './denoiser.ts';
 
@@ -11,7 +12,9 @@ self.addEventListener('message', async ({ data }: MessageEvent<Film>) => {
   const film = Object.assign(new Film(data.width, data.height), data);
   try {
     const radiance = await denoise(film, { onProgress: (part) => post({ kind: 'progress', part }) });
-    post({ kind: 'done', radiance }, [radiance.buffer as ArrayBuffer]);
+    const alpha = await denoiseAlpha(film);
+    const transfer = [radiance, alpha].flatMap((values) => (values ? [values.buffer as ArrayBuffer] : []));
+    post({ kind: 'done', radiance, alpha }, transfer);
   } catch (error) {
     post({ kind: 'failed', message: error instanceof Error ? error.message : String(error) });
   }

@@ -2,13 +2,20 @@
 import type { DenoiseOptions } from '../../pathtracer/denoise/denoise.ts';
 import type { Film } from '../../pathtracer/film.ts';
 
+export interface DenoisedPicture {
+  /** RGB. */
+  readonly radiance: Float32Array;
+  /** Null where it has no noise that could be taken out. */
+  readonly alpha: Float32Array | null;
+}
+
 export type FromDenoiser =
   | { readonly kind: 'progress'; readonly part: number }
-  | { readonly kind: 'done'; readonly radiance: Float32Array }
+  | ({ readonly kind: 'done' } & DenoisedPicture)
   | { readonly kind: 'failed'; readonly message: string };
 
-/** As `denoise`, of the film as it is now: the thread gets a copy. */
-export type Denoise = (film: Film, options: DenoiseOptions) => Promise<Float32Array>;
+/** As `denoise` and `denoiseAlpha`, of the film as it is now: the thread gets a copy. */
+export type Denoise = (film: Film, options: DenoiseOptions) => Promise<DenoisedPicture>;
 
 export function createDenoiser(): Denoise {
   let idle: Worker | null = null;
@@ -30,7 +37,7 @@ export function createDenoiser(): Denoise {
         else {
           signal?.removeEventListener('abort', abort);
           idle = thread;
-          resolve(data.radiance);
+          resolve(data);
         }
       };
       thread.onerror = ({ message }) => stop(new Error(message || 'the denoiser could not be loaded'));

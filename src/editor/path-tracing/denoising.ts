@@ -14,6 +14,8 @@ export interface Denoised {
   readonly radiance: Float32Array;
   /** The part of each pixel that something covers. */
   readonly alpha: Float32Array;
+  /** The same before. */
+  readonly noisyAlpha: Float32Array;
 }
 
 export interface DenoisingOptions {
@@ -49,16 +51,17 @@ export class Denoising {
     const job = new AbortController();
     this.#job = job;
     this.#tried = samples;
-    const [noisy, alpha] = [film.mean(), film.meanAlpha()];
+    const [noisy, noisyAlpha] = [film.mean(), film.meanAlpha()];
     let failure: unknown = null;
     try {
-      const radiance = await this.#options.denoise(film, {
+      const { radiance, alpha } = await this.#options.denoise(film, {
         signal: job.signal,
         onProgress: (part) => {
           if (this.#job === job) this.#options.onProgress(part);
         },
       });
-      if (this.#job === job) this.#result = { samples, noisy, radiance, alpha };
+      if (this.#job === job)
+        this.#result = { samples, noisy, radiance, alpha: alpha ?? noisyAlpha, noisyAlpha };
     } catch (error) {
       failure = error;
     }

@@ -273,7 +273,13 @@ export class Director {
       denoised: denoised !== null,
     });
     const file = new Uint8Array(
-      exrOf(film, radiance, denoised?.radiance ?? null, attributes, isTransparent ? film.meanAlpha() : null),
+      exrOf(
+        film,
+        radiance,
+        denoised,
+        attributes,
+        isTransparent ? (denoised?.noisyAlpha ?? film.meanAlpha()) : null,
+      ),
     );
     this.#options.post({ kind: 'exr', file }, [file.buffer]);
   }

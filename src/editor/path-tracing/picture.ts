@@ -27,13 +27,13 @@ export function halfFloats(radiance: Float32Array, alpha: Float32Array): Uint16A
  * Linear radiance; the header says how many samples a pixel has.
  *
  * @param noisy RGB
- * @param alpha by which colours are multiplied; null where all is opaque
- * @param denoised RGB: then the noisy radiance is in the layer 'noisy', as `render --denoise` writes it
+ * @param alpha by which colours are multiplied, before it was denoised; null where all is opaque
+ * @param denoised then the noisy picture is in the layer 'noisy', as `render --denoise` writes it
  */
 export function exrOf(
   { width, height }: Pick<Film, 'width' | 'height'>,
   noisy: Float32Array,
-  denoised: Float32Array | null,
+  denoised: { readonly radiance: Float32Array; readonly alpha: Float32Array } | null,
   attributes: Readonly<Record<string, string | number>>,
   alpha: Float32Array | null = null,
 ): Uint8Array {
@@ -44,9 +44,10 @@ export function exrOf(
       pixels: Float32Array.from({ length: width * height }, (_, pixel) => radiance[3 * pixel + c]!),
     }));
   const channels = [
-    ...layer('', denoised ?? noisy),
-    ...(alpha ? [{ name: 'A', type: 'float' as const, pixels: alpha }] : []),
+    ...layer('', denoised?.radiance ?? noisy),
+    ...(alpha ? [{ name: 'A', type: 'float' as const, pixels: denoised?.alpha ?? alpha }] : []),
     ...(denoised ? layer('noisy.', noisy) : []),
+    ...(denoised && alpha ? [{ name: 'noisy.A', type: 'float' as const, pixels: alpha }] : []),
   ];
   return encodeExr({ width, height, channels, attributes });
 }

@@ -22,6 +22,8 @@ const ALBEDO_RADIUS = 2;
  * By measurement (docs/decisions/denoising.md): 0.6 leaves more noise, 1 blurs details; both have the larger error.
  */
 const STRENGTH = 0.8;
+/** Over what is to be denoised, one after the other. */
+export const PASSES = STEPS.map((step) => ({ step, radius: RADIUS, strength: STRENGTH }));
 /** What is darker is taken for this: the light on it would be noise, divided by nearly nothing. */
 const LEAST_ALBEDO = 0.02;
 
@@ -33,7 +35,7 @@ export async function denoise(
   const pace = new Pace(signal);
   try {
     const planes = filmPlanes(film);
-    const stages = STEPS.length + 1;
+    const stages = PASSES.length + 1;
     const stage = (i: number): Pick<NlMeansOptions, 'pace' | 'onProgress'> => ({
       pace,
       onProgress: (part) => onProgress?.((i + part) / stages),
@@ -54,10 +56,10 @@ export async function denoise(
     const scale = noiseScale(light, features);
     light = tameFireflies(light, features);
     light = { ...light, variance: light.variance.map((x) => x * scale) };
-    for (const [i, step] of STEPS.entries()) {
+    for (const [i, pass] of PASSES.entries()) {
       light = await nlMeans(
         { ...light, variance: boxMean(light.variance, film, 1) },
-        { step, radius: RADIUS, strength: STRENGTH, features, ...stage(i + 1) },
+        { ...pass, features, ...stage(i + 1) },
       );
     }
     onProgress?.(1);

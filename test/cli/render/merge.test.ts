@@ -118,7 +118,10 @@ describe('merge', () => {
     const film = new Film(SIZE, SIZE);
     for (let pixel = 0; pixel < SIZE * SIZE; pixel++) film.add(sample(pixel, 0), pixel);
     const own = { ...record, samples: [{ from: 0, to: 1 }], denoised: true };
-    const file = filmToExr(film, own, [], new Float32Array(3 * SIZE * SIZE));
+    const file = filmToExr(film, own, [], {
+      radiance: new Float32Array(3 * SIZE * SIZE),
+      alpha: film.meanAlpha(),
+    });
     const { image, record: merged } = mergeParts([
       partOf(decodeExr(file, 'a'), 'a'),
       part('b', { from: 1, to: 2 }, {}, SIZE, []),

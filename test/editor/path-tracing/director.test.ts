@@ -72,7 +72,7 @@ class FakeTracer implements PathTracer {
 
 function setup(
   pack: (options: PackOptions) => Promise<PackedScene> = async () => scene,
-  denoise: Denoise = async (film) => film.mean().map((x) => 10 * x),
+  denoise: Denoise = async (film) => ({ radiance: film.mean().map((x) => 10 * x), alpha: null }),
 ) {
   const tracer = new FakeTracer();
   const messages: FromDirector[] = [];

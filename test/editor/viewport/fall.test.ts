@@ -42,6 +42,13 @@ describe('something falls', () => {
     expect(fallOf([body(box(0, -3, 0))], [])).toBeCloseTo(-3.5, 6);
   });
 
+  it('onto a ground that holds everything, and out of it', () => {
+    expect(fallOf([body(box(20, 5, 0))], [floor], 1)).toBeCloseTo(3.5, 6);
+    expect(fallOf([body(box(0, 5, 0))], [floor], -1)).toBeCloseTo(4.5, 6);
+    expect(fallOf([body(box(0, 5, 0))], [floor], 1)).toBeCloseTo(3.5, 6);
+    expect(fallOf([body(box(20, 0, 0))], [], 1)).toBeCloseTo(-1.5, 6);
+  });
+
   it('not at all where it stands; out of what it has sunk into; from under a table to the floor', () => {
     expect(fallOf([body(box(0, 0.5, 0))], [floor])).toBeCloseTo(0, 6);
     expect(fallOf([body(box(0, 0.3, 0))], [floor])).toBeCloseTo(-0.2, 6);

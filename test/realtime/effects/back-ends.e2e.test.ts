@@ -7,7 +7,7 @@ import type { EffectsFrames, EffectsRequest } from './back-ends.page.ts';
 const harness = await pageHarness(new URL('./back-ends.page.ts', import.meta.url));
 
 /** A lit sphere before a pattern of light, with something nearer at the left. */
-const document = (effects: object, view: object = {}) => ({
+const document = (effects: object, view: object = {}): Record<string, unknown> => ({
   format: 'irradia',
   version: 1,
   camera: { fov: 40, position: [0, 0, 4], target: [0, 0, 0], fStop: 0.2, shutter: 1 / 60 },
@@ -46,6 +46,13 @@ const cases: Record<string, ReturnType<typeof document>> = {
   }),
   'automatic exposure': document({}, { exposureMode: 'auto' }),
   'false colour': document({}, { show: 'luminance' }),
+  'shadows on the ground': {
+    ...document({ shadows: { enabled: true } }),
+    ground: { shadowCatcher: true },
+    environment: { source: { type: 'constant', color: [1, 0.8, 0.6] } },
+    background: { type: 'color', color: [0.5, 0.5, 0.5] },
+    camera: { fov: 50, position: [0.4, 3, 4], target: [0, -0.8, -0.4], fStop: 0 },
+  },
   ...Object.fromEntries(
     ['depth', 'shadingNormals', 'meshNormals', 'motion', 'lights'].map((show) => [
       show,

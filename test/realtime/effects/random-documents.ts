@@ -9,6 +9,7 @@ import {
   sunPositionShapes,
 } from '../../../src/scene/environment-schema.ts';
 import { fieldInfo } from '../../../src/scene/fields.ts';
+import { groundShape } from '../../../src/scene/ground-schema.ts';
 import { lightShapes, lightTypes } from '../../../src/scene/light-schema.ts';
 import type { Document } from '../../../src/scene/schema.ts';
 import { cameraShape, fogShape } from '../../../src/scene/stage-schema.ts';
@@ -156,6 +157,7 @@ export function randomDocument(structureSeed: number, numbersSeed: number): Docu
     effects: Object.fromEntries(
       effectNames.map((name) => [name, fields(effectShapes[name], structure, numbers)]),
     ),
+    ground: fields(groundShape, structure, numbers),
   };
   return parseDocument(parts, parts.name);
 }

@@ -16,6 +16,8 @@ export const edits: Catalogue = {
   'not a name or an id': 'no es un nombre ni un id',
   'more than {maxValues} values': 'más de {maxValues} valores',
   'Change environment': 'Cambiar el entorno',
+  'Show shadows on the ground': 'Mostrar sombras en el suelo',
+  'Hide shadows on the ground': 'Ocultar las sombras en el suelo',
   'Make the sky as bright as on Earth': 'Hacer el cielo tan brillante como en la Tierra',
   'Make the sky as bright as lamps': 'Hacer el cielo tan brillante como las lámparas',
   invalid: 'no válido',

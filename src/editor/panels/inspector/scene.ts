@@ -23,6 +23,7 @@ import { pathCell, tryEdit } from './cell.ts';
 import { environmentRows, environmentStructure } from './environment.ts';
 import { type Bound, choiceLabel, labelOf, shapeFields, wordsOf } from './field.ts';
 import { withGpuTime } from './gpu-time.ts';
+import { groundFields } from './ground.ts';
 import type { InspectorPanel } from './panel.ts';
 import { presetChoice } from './preset.ts';
 
@@ -30,7 +31,8 @@ import { presetChoice } from './preset.ts';
 const otherEffects = effectNames.filter((name) => name !== 'fog');
 
 export function sceneStructure(document: Document): string {
-  return `${environmentStructure(document.environment)} ${document.background.type}`;
+  const { environment, background, ground } = document;
+  return `${environmentStructure(environment)} ${background.type} ${ground.shadowCatcher}`;
 }
 
 export function scenePanel(session: Session): InspectorPanel {
@@ -97,6 +99,7 @@ export function scenePanel(session: Session): InspectorPanel {
           background.type === 'color' ? backgroundDefault : { blur: 0 },
         ),
       ),
+      fold('Shadows on the ground', ...groundFields(session).map(single)),
       fold('Camera', ...cameraRows()),
       withGpuTime(
         session,

@@ -1,6 +1,7 @@
 /** Lets what is selected fall, and moves it in small steps. */
 import { Box3, type Mesh, Vector3 } from 'three/webgpu';
 import type { SceneMirror } from '../../../scene/mirror.ts';
+import type { Document } from '../../../scene/schema.ts';
 import { place } from '../../../scene/transform-commands.ts';
 import { attempt } from '../../commands.ts';
 import { plural, t } from '../../language/language.ts';
@@ -13,7 +14,7 @@ import { type Body, fallOf, type Triangles } from './fall.ts';
 /** A tenth of a millimetre. */
 const STEP = 1e-4;
 
-/** The selected objects fall as one, straight down, onto what is below them or to y = 0. */
+/** The selected objects fall as one, straight down, onto what is below them, the ground that shows shadows, or to y = 0. */
 export function dropSelection(session: Session, mirror: SceneMirror): void {
   const { store, state } = session;
   const movers = moversOf(store.document, state.value.selected).filter(({ kind }) => kind === 'objects');
@@ -39,7 +40,7 @@ export function dropSelection(session: Session, mirror: SceneMirror): void {
       box.max.z >= plan.min.z;
     return isBelow ? [trianglesOf(mesh)] : [];
   });
-  const fall = fallOf(bodies, obstacles);
+  const fall = fallOf(bodies, obstacles, groundOf(store.document, falling, mirror));
   if (fall === null) {
     toast('info', t('Nothing can fall'), t('Select objects that are shown and not locked.'));
     return;
@@ -56,6 +57,21 @@ export function dropSelection(session: Session, mirror: SceneMirror): void {
       }),
     ),
   );
+}
+
+/** The height of the ground that shows shadows; where it lies by itself, the others hold it. Null if there is none. */
+function groundOf(
+  { ground, objects }: Document,
+  falling: ReadonlySet<string>,
+  mirror: SceneMirror,
+): number | null {
+  if (!ground.shadowCatcher) return null;
+  if (ground.height !== null) return ground.height;
+  const others = Object.keys(objects).flatMap((id) => {
+    const mesh = falling.has(id) ? undefined : mirror.objectFor(id);
+    return mesh?.visible ? [new Box3().setFromObject(mesh, true).min.y] : [];
+  });
+  return others.length > 0 ? Math.min(...others) : null;
 }
 
 /** In world space. */

@@ -18,8 +18,15 @@ const LEAST_AREA = 1e-10;
 /** Cells along each side of the grid at most. */
 const MAX_CELLS = 256;
 
-/** @returns m; negative for what has to be lifted; down to y = 0 where nothing is below; null if there are no triangles */
-export function fallOf(bodies: readonly Body[], obstacles: readonly Triangles[]): number | null {
+/**
+ * @param ground the height of a ground that holds everything; without one, what nothing is below falls to y = 0
+ * @returns m; negative for what has to be lifted; null if there are no triangles
+ */
+export function fallOf(
+  bodies: readonly Body[],
+  obstacles: readonly Triangles[],
+  ground: number | null = null,
+): number | null {
   const plan = planOf(bodies.map(({ triangles }) => triangles));
   if (plan === null) return null;
   const total = bodies.reduce((sum, { triangles }) => sum + triangles.length / 9, 0);
@@ -34,6 +41,7 @@ export function fallOf(bodies: readonly Body[], obstacles: readonly Triangles[])
         if (above.low - below.high < least && below.low <= middle)
           least = Math.min(least, gapBetween(above, below, middle));
   }
+  if (ground !== null) return Math.min(least, plan.low - ground);
   return Number.isFinite(least) ? least : plan.low;
 }
 
