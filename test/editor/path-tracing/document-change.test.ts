@@ -1,7 +1,9 @@
 import { expect, it } from 'vitest';
 import { applyChange, changeOf, sameScene } from '../../../src/editor/path-tracing/document-change.ts';
-import { addLight, addObject } from '../../../src/scene/commands.ts';
+import { addLight, addObject, rename } from '../../../src/scene/commands.ts';
 import { createDocument } from '../../../src/scene/document.ts';
+import { groupEntities, shift } from '../../../src/scene/group-commands.ts';
+import { removeEntities, setLocked, setVisible } from '../../../src/scene/selection-commands.ts';
 import { DocumentStore } from '../../../src/scene/store.ts';
 
 function scene() {
@@ -9,6 +11,7 @@ function scene() {
   addLight(store, 'point');
   addLight(store, 'directional');
   addObject(store, 'sphere');
+  addObject(store, 'box');
   return store;
 }
 
@@ -66,4 +69,25 @@ it('exposure, camera and goals are not the scene’s; materials and fog are', ()
     draft.fog.density = 0.1;
   });
   expect(sameScene(before, store.document)).toBe(false);
+});
+
+it('names, locks, groups and order are for people: nothing is traced anew', () => {
+  const store = scene();
+  const before = store.document;
+  const [first = '', second = ''] = Object.keys(before.objects);
+  const refs = [first, second].map((id) => ({ kind: 'objects', id }) as const);
+  groupEntities(store, refs);
+  setLocked(store, refs, true);
+  shift(store, [{ kind: 'lights', id: Object.keys(before.lights)[0] ?? '' }], 1);
+  rename(store, 'objects', first, 'Another');
+  rename(store, 'materials', Object.keys(before.materials)[0] ?? '', 'Paint');
+  expect(store.document).not.toBe(before);
+  expect(sameScene(before, store.document)).toBe(true);
+  const named = store.document;
+  setVisible(store, refs.slice(0, 1), false);
+  expect(sameScene(named, store.document)).toBe(false);
+  store.undo();
+  setLocked(store, refs, false);
+  removeEntities(store, refs.slice(1));
+  expect(sameScene(named, store.document)).toBe(false);
 });
