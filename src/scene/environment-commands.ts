@@ -55,8 +55,16 @@ export function setEarthlySky(store: DocumentStore, earthly: boolean): void {
     const { source } = draft.environment;
     if (source.type !== 'sky') return;
     source.brightness = earthly ? EARTHLY : skyDefaults.brightness;
-    if (earthly && draft.view.exposureMode === 'manual') draft.view.exposureMode = 'auto';
+    exposeForSky(draft);
   });
+}
+
+/** A sky as bright as on Earth needs a meter. One as bright as lamps needs none, by whatever way it has become so. */
+export function exposeForSky({ environment: { source }, view }: Draft): void {
+  if (source.type !== 'sky') return;
+  if (source.brightness === EARTHLY && view.exposureMode === 'manual') view.exposureMode = 'auto';
+  else if (source.brightness === skyDefaults.brightness && view.exposureMode === 'auto')
+    view.exposureMode = 'manual';
 }
 
 function editSky(

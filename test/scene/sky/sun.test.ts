@@ -48,6 +48,18 @@ it('is as bright as on Earth at a click, where a meter exposes then, and back', 
   store.undo();
   expect(sunOf(store).illuminance).toBe(before);
   expect(store.document.view.exposureMode).toBe('manual');
+  store.redo();
+  setEarthlySky(store, false);
+  expect(sunOf(store).illuminance).toBe(before);
+  expect(store.document.view.exposureMode).toBe('manual');
+  // A camera's exposure stays the person's.
+  store.edit('Expose as the camera', ({ view }) => {
+    view.exposureMode = 'camera';
+  });
+  for (const earthly of [true, false]) {
+    setEarthlySky(store, earthly);
+    expect(store.document.view.exposureMode).toBe('camera');
+  }
 });
 
 it('a place and a time become the direction that they have meant', () => {

@@ -33,14 +33,25 @@ export function writePath(document: Document, path: Path, value: unknown): void 
   else (parent as Record<string | number, unknown>)[key] = value;
 }
 
-export function pathCell(store: DocumentStore, path: Path, label: string): Cell {
+/** What else an edit of a field changes, in the same step. */
+export type AlongWith = Readonly<Record<string, (draft: Document) => void>>;
+
+export function pathCell(
+  store: DocumentStore,
+  path: Path,
+  label: string,
+  along?: (draft: Document) => void,
+): Cell {
   return {
     get: () => readPath(store.document, path),
     set: (value, gesture) => {
       tryEdit(
         store,
         label,
-        (draft) => writePath(draft, path, value),
+        (draft) => {
+          writePath(draft, path, value);
+          along?.(draft);
+        },
         gesture && `${path.join('.')} ${gesture}`,
       );
     },

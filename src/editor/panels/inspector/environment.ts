@@ -1,6 +1,7 @@
 /** The light from all around: what it is, and the fields that this kind of it has. */
 import {
   EARTHLY,
+  exposeForSky,
   newSky,
   setEarthlySky,
   setEnvironmentSource,
@@ -29,7 +30,7 @@ import { h } from '../../ui/dom.ts';
 import { row, selectField, switchField } from '../../ui/fields.ts';
 import { icon } from '../../ui/icons.ts';
 import { toastError } from '../../ui/toast.ts';
-import { tryEdit } from './cell.ts';
+import { type AlongWith, tryEdit } from './cell.ts';
 import { type Bound, choiceLabel } from './field.ts';
 
 /** Rows of the fields of a part of the document. */
@@ -38,6 +39,7 @@ export type Part = (
   shape: Readonly<Record<string, unknown>>,
   defaults?: object,
   skip?: string[],
+  along?: AlongWith,
 ) => HTMLElement[];
 
 /** What of the document decides which rows there are. */
@@ -57,7 +59,9 @@ export function environmentRows(session: Session, part: Part): { rows: HTMLEleme
   return {
     rows: [
       choice.element,
-      ...part('environment.source', environmentSourceShapes[source.type], defaultsOf(source), ['name']),
+      ...part('environment.source', environmentSourceShapes[source.type], defaultsOf(source), ['name'], {
+        brightness: exposeForSky,
+      }),
       ...own.map(({ element }) => element),
       ...(source.type === 'sky'
         ? part(

@@ -19,7 +19,7 @@ import { h } from '../../ui/dom.ts';
 import { row, selectField } from '../../ui/fields.ts';
 import { section } from '../../ui/section.ts';
 import { cameraFields } from './camera.ts';
-import { pathCell, tryEdit } from './cell.ts';
+import { type AlongWith, pathCell, tryEdit } from './cell.ts';
 import { environmentRows, environmentStructure } from './environment.ts';
 import { type Bound, choiceLabel, labelOf, shapeFields, wordsOf } from './field.ts';
 import { withGpuTime } from './gpu-time.ts';
@@ -43,10 +43,16 @@ export function scenePanel(session: Session): InspectorPanel {
     shape: Readonly<Record<string, unknown>>,
     defaults?: object,
     skip: string[] = [],
+    along?: AlongWith,
   ) => {
     const fields = shapeFields(shape, {
       cell: (field, label) =>
-        pathCell(store, [...name.split('.'), field], t('Change {label}', { label: label.toLowerCase() })),
+        pathCell(
+          store,
+          [...name.split('.'), field],
+          t('Change {label}', { label: label.toLowerCase() }),
+          along?.[field],
+        ),
       defaults: { ...defaults },
       skip,
     });

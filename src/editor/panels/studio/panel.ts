@@ -23,6 +23,9 @@ import type { Cell } from '../inspector/cell.ts';
 import { type Bound, shapeFields } from '../inspector/field.ts';
 import { studioPicture } from './picture.ts';
 
+/** Where the picture shows it in its middle; all else is a soft box's own. */
+const IN_FRONT = { azimuth: 180, elevation: 30 } as const;
+
 export function studioPanel(session: Session): Bound {
   const { store } = session;
   let selected = 0;
@@ -41,7 +44,7 @@ export function studioPanel(session: Session): Bound {
   const count = h('span', { class: 'studio-count' });
   const failed = t('The studio stays as it is');
   const add = iconButton('plus', t('Add a soft box'), () => {
-    const index = attempt(failed, () => addSoftBox(store, { azimuth: 180, elevation: 30, luminance: 5 }));
+    const index = attempt(failed, () => addSoftBox(store, IN_FRONT));
     if (index !== undefined) select(index);
   });
   const copy = iconButton('copy', t('Duplicate the soft box at the other side'), () => {
