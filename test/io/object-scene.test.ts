@@ -213,6 +213,22 @@ describe('a scene of three.js', () => {
     expect(Object.keys(project.document.objects)).toHaveLength(2);
   });
 
+  test('whose author looked at it through a camera beside the scene', async () => {
+    const camera = new THREE.PerspectiveCamera(33, 1, 0.5, 80);
+    camera.position.set(1, 2, 8);
+    camera.lookAt(1, 2, 0);
+    camera.updateMatrix();
+    const scene = new THREE.Scene().add(new THREE.Mesh(new THREE.BoxGeometry()));
+    scene.background = new THREE.Color(0x334455);
+    const project = { metadata: { type: 'App' }, camera: camera.toJSON(), scene: scene.toJSON() };
+    const { document, notes } = await bring(project);
+    expect(document.camera).toMatchObject({ fov: 33, position: [1, 2, 8], near: 0.5, far: 80 });
+    near(document.camera.target, [1, 2, 3]);
+    expect(notes.join()).toContain('background');
+    const broken = await bring({ ...project, camera: { object: { type: 7 } } });
+    expect(Object.keys(broken.document.objects)).toHaveLength(1);
+  });
+
   test('anything else is not taken for one', async () => {
     expect(await importObjectScene({ format: 'irradia' }, 'a.json', assets)).toBeNull();
     expect(await importObjectScene(null, 'a.json', assets)).toBeNull();

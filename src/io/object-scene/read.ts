@@ -3,6 +3,7 @@
  * are in one another as its objects are, but every mesh says where in the world it stands.
  */
 import * as THREE from 'three/webgpu';
+import type { Camera } from '../../scene/schema.ts';
 import { schemaIssues } from '../../scene/validate.ts';
 import type { Notes } from '../gltf/notes.ts';
 import { GltfWriter, type Json } from '../gltf/writer.ts';
@@ -51,6 +52,8 @@ export function readObjectScene(
 
   const places = placesOf(scene, file);
   const byUuid = new Map(places.map((place) => [place.object.uuid, place.world]));
+  if (scene.object.background || scene.object.environment || scene.object.fog)
+    notes.add('its background, environment and fog are not read: the scene has its own');
   const tree = new NodeTree(writer, places);
   let objects = 0;
   for (const [index, place] of places.entries()) {
@@ -88,6 +91,7 @@ export function readObjectScene(
       });
     }
   }
+  converted.camera ??= editorCamera(json);
   tree.finish();
   converted.glb = writer.finish();
   return converted;
@@ -165,6 +169,15 @@ function parse(json: unknown, file: string): SourceScene {
   if (result.success) return result.data;
   const [issue] = schemaIssues(result.error);
   throw new ModelFileError(file, issue?.path ?? '', `not a scene of three.js: ${issue?.message}`);
+}
+
+/** A project of three.js's editor has the camera that its author last looked through beside the scene. */
+function editorCamera(json: unknown): Camera | null {
+  const { metadata, camera } = json as { metadata?: { type?: unknown }; camera?: { object?: unknown } };
+  const result = objectSchema.safeParse(metadata?.type === 'App' ? camera?.object : undefined);
+  if (!result.success) return null;
+  const world = localMatrix(result.data);
+  return world.elements.every(Number.isFinite) ? sceneCamera(result.data, world) : null;
 }
 
 interface Place {

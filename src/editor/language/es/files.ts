@@ -133,6 +133,8 @@ export const files: Catalogue = {
   '{name}: its vertex colours are not read': '{name}: sus colores por vértice no se leen',
   '{name}: it is sheared, which is approximated': '{name}: está sesgado, lo que se aproxima',
   'its camera is orthographic and is left out': 'su cámara es ortográfica y se omite',
+  'its background, environment and fog are not read: the scene has its own':
+    'su fondo, su entorno y su niebla no se leen: la escena tiene los suyos',
   'its groups are {last} deep: those deeper than {depth} are not kept, what is in them is':
     'sus grupos tienen {last} niveles: los que pasan de {depth} no se conservan, lo que hay en ellos sí',
   accessors: 'accessors',
