@@ -104,7 +104,9 @@ const opening: OpenContext = {
   store,
   state,
   assets,
-  replaceDocument: (next) => workspace.replace(next, null),
+  replaceDocument: (next, file) => workspace.replace(next, null, file),
+  isNew: () => placeholder !== null && sameThings(store.document, placeholder),
+  lookAtSelection: () => session.focusSelection(),
   openLesson: async (files) => (await learning(session)).openFiles(files),
 };
 const session: Session = {
@@ -126,6 +128,8 @@ const session: Session = {
 
 /** A scene that is nobody's work: it gets the effects that this device draws without effort. */
 let fresh: Document | null = null;
+/** What New has made last. */
+let placeholder: Document | null = null;
 let presetOfDevice: PresetOfDevice | null = null;
 
 const outliner = createOutliner(session);
@@ -301,7 +305,13 @@ function newScene(): void {
   addLight(made, 'directional');
   addObject(made, 'sphere');
   fresh = made.document;
+  placeholder = fresh;
   void workspace.replace(fresh, '');
+}
+
+/** Nothing was added, changed or taken away; documents share what they have in common. */
+function sameThings(a: Document, b: Document): boolean {
+  return (['lights', 'objects', 'materials', 'environment'] as const).every((part) => a[part] === b[part]);
 }
 
 async function openShipped(name: string): Promise<void> {

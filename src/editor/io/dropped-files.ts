@@ -1,5 +1,7 @@
 /** The files of a drop, those inside dropped folders too: a .gltf comes with its buffers and images. */
 
+import { noteHandles } from './file-handles.ts';
+
 /** Enough for any model; a dropped home directory ends here. */
 const MOST_FILES = 1000;
 
@@ -8,6 +10,7 @@ export async function droppedFiles(transfer: DataTransfer): Promise<File[]> {
   const entries = [...transfer.items]
     .map((item) => item.webkitGetAsEntry())
     .filter((entry) => entry !== null);
+  noteHandles(transfer);
   const plain = [...transfer.files];
   if (!entries.some((entry) => entry.isDirectory)) return plain;
   const files: File[] = [];

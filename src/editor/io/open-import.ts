@@ -1,10 +1,13 @@
 /** Models, scenes and materials from files: read in a thread of their own, put into the scene in one undo step. */
 
+import type { ImportedModel } from '../../io/gltf/add.ts';
 import { lightByFile } from '../../io/stage.ts';
 import type { MemberRef } from '../../scene/entity.ts';
+import type { Draft } from '../../scene/store.ts';
 import { trustAsset } from '../../scene/validate.ts';
 import { t, translate } from '../language/language.ts';
 import { startProgress, toast } from '../ui/toast.ts';
+import { handleOf } from './file-handles.ts';
 import { pathOf } from './files.ts';
 import { type ImportJob, startJob } from './importer/import-job.ts';
 import type { ToImporter } from './importer/messages.ts';
@@ -41,7 +44,7 @@ export async function importFile(
   });
   switch (result.kind) {
     case 'document':
-      if (await context.replaceDocument(result.document))
+      if (await context.replaceDocument(result.document, await handleOf(file)))
         toast('success', t('Opened {name}', { name: result.document.name }));
       return;
     case 'material': {
@@ -60,7 +63,10 @@ export async function importFile(
       assets.adopt(imported.asset, source);
       trustAsset(imported.asset);
       let added: MemberRef[] = [];
+      const wasNew = context.isNew();
+      const isFramed = wasNew || Object.keys(store.document.objects).length === 0;
       store.edit(imported.label, (draft) => {
+        if (wasNew) makeRoom(draft, imported);
         added = addImported(draft, imported);
         if (onStage) lightByFile(draft, imported);
       });
@@ -68,9 +74,17 @@ export async function importFile(
       await new Promise((resolve) => setTimeout(resolve));
       // All of it, to be put where it should be.
       state.selectAll(added);
-      toast('success', t('Imported {file}', { file: file.name }));
+      const look = { label: t('Look at it'), run: () => context.lookAtSelection() };
+      toast('success', t('Imported {file}', { file: file.name }), undefined, isFramed ? undefined : look);
       if (imported.notes.length > 0)
         toast('note', t('About {file}', { file: file.name }), imported.notes.map(translate).join('\n'));
     }
   }
+}
+
+/** What a new scene begins with is there to be looked at until something comes; lights stay where none come. */
+function makeRoom(draft: Draft, { contents }: ImportedModel): void {
+  draft.objects = {};
+  draft.materials = {};
+  if (contents.lights.length > 0) draft.lights = {};
 }

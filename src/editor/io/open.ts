@@ -20,8 +20,12 @@ export interface OpenContext {
   readonly store: DocumentStore;
   readonly state: EditorStateStore;
   readonly assets: AssetLoader;
-  /** Replaces the scene, unless the person would lose work and decides against it. */
-  replaceDocument(document: Document): Promise<boolean>;
+  /** Replaces the scene, unless the person would lose work and decides against it. Save then writes to `file`. */
+  replaceDocument(document: Document, file: FileSystemFileHandle | null): Promise<boolean>;
+  /** There is nothing in the scene but what a new one begins with. */
+  isNew(): boolean;
+  /** Brings what is selected into view. */
+  lookAtSelection(): void;
   /** A lesson's text, its scene and what lies beside them. */
   openLesson(files: readonly File[]): Promise<void>;
 }

@@ -10,6 +10,8 @@ import { hashAssets, isHashed } from './stored-document.ts';
 
 /** Work that a crash may take. Not a pause in the editing: a long drag is kept as it goes. */
 const DELAY_MS = 1000;
+/** The name of the version that a document begins with. */
+export const AS_OPENED = t('As it was opened');
 /** Between automatic versions. */
 const VERSION_MS = 10 * 60_000;
 
@@ -35,6 +37,8 @@ export class Autosave {
   #address: string | null = null;
   #file: FileSystemFileHandle | null = null;
   #opened: Document;
+  /** It was opened from the kept ones. */
+  #wasKept = false;
   /** What the last write that went well, or that is under way, has written. */
   #written: Document | null = null;
   #lastVersion = 0;
@@ -77,6 +81,7 @@ export class Autosave {
     clearTimeout(this.#timer);
     this.#timer = undefined;
     this.#kept = kept;
+    this.#wasKept = kept !== null;
     this.#address = address;
     this.#file = kept?.file ?? null;
     this.#opened = document;
@@ -89,6 +94,11 @@ export class Autosave {
   /** The page itself has changed the document that was opened: that is not work to be kept. */
   amended(document: Document): void {
     this.#opened = document;
+  }
+
+  /** The document is as it was opened, or made, and was not one that had been kept before. */
+  get untouched(): boolean {
+    return !this.#wasKept && onlyTheCameraDiffers(this.#options.store.document, this.#opened);
   }
 
   /** Where Save writes the open document. */
@@ -179,7 +189,7 @@ export class Autosave {
     if (before === null || Date.now() - this.#lastVersion < VERSION_MS) return;
     this.#lastVersion = Date.now();
     try {
-      await storage.addVersion(kept.id, before, first ? t('As it was opened') : null);
+      await storage.addVersion(kept.id, before, first ? AS_OPENED : null);
     } catch (error) {
       this.#failed(error, kept);
     }

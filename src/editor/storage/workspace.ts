@@ -9,7 +9,7 @@ import type { EditorStateStore } from '../state.ts';
 import { confirm } from '../ui/confirm.ts';
 import { toast, toastError } from '../ui/toast.ts';
 import { trackUnsaved, type Unsaved } from '../unsaved.ts';
-import { Autosave, type KeepState } from './autosave.ts';
+import { AS_OPENED, Autosave, type KeepState } from './autosave.ts';
 import { explainFailure } from './failure.ts';
 import { type KeptDocument, KeptDocuments, type Version } from './kept-documents.ts';
 import { hold, readSession, type SessionRecord, writeSession } from './session-record.ts';
@@ -173,15 +173,20 @@ export class Workspace {
 
   /**
    * Opens a document in place of the present one; false when the person would rather not lose that. The
-   * address is what, behind the page's own, opens the same again; null if nothing does.
+   * address is what, behind the page's own, opens the same again; null if nothing does. The file is where Save writes it.
    */
-  async replace(document: Document, address: string | null): Promise<boolean> {
+  async replace(
+    document: Document,
+    address: string | null,
+    file: FileSystemFileHandle | null = null,
+  ): Promise<boolean> {
     const leave = await this.#leave();
     if (!leave) return false;
     this.#state.select(null);
     this.#store.open(document);
     history.replaceState(null, '', `./${address ?? ''}`);
     this.#autosave.opened(document, null, address);
+    if (file) await this.#autosave.setFile(file);
     this.#remember();
     leave();
     return true;
@@ -279,6 +284,7 @@ export class Workspace {
   async #leave(): Promise<(() => void) | null> {
     await this.flush();
     const { kept } = this;
+    if (this.#autosave.untouched && (await this.#forget(kept))) return () => {};
     if (this.#unsaved.value && this.keepState.kind !== 'kept') {
       const sure = await confirm(
         t('Leave “{name}”?', { name: this.#store.document.name }),
@@ -294,6 +300,22 @@ export class Workspace {
         label: t('Back to it'),
         run: () => void this.openKept(kept),
       });
+  }
+
+  /**
+   * Lets a document go that is just as it came from its file, link or menu: there is nothing to keep, nor to ask. False if
+   * the person has kept a version of it.
+   */
+  async #forget(kept: KeptDocument | null): Promise<boolean> {
+    const storage = this.#storage;
+    if (kept && storage) {
+      const versions = await storage.versions(kept.id);
+      if (versions.some(({ name }) => name !== AS_OPENED)) return false;
+      await storage.setDeleted(kept, true);
+      await storage.purge(kept.id);
+    }
+    this.#letGo();
+    return true;
   }
 
   #letGo(): void {
