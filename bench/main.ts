@@ -1,9 +1,10 @@
-/** `npm run bench [-- spheres effects lab views]`: prints what docs/benchmarks.md keeps. All on the software GPU of the tests' browser. */
+/** `npm run bench [-- spheres effects lab views tasks]`: prints what docs/benchmarks.md keeps. All on the software GPU of the tests' browser. */
 import { openHarness } from '../test/support/harness.ts';
 import { benchEffects } from './effects.ts';
 import { measureLab } from './lab.ts';
 import { median } from './median.ts';
 import type { SpheresRequest, SpheresResult } from './spheres.page.ts';
+import { LONG, measureTasks, type OperationTasks } from './tasks.ts';
 import { measureViews } from './views.ts';
 
 const FRAMES = 25;
@@ -59,7 +60,32 @@ async function benchViews(): Promise<void> {
   }
 }
 
-const benches = { spheres: benchSpheres, effects: benchEffects, lab: benchLab, views: benchViews };
+async function benchTasks(): Promise<void> {
+  const sizes = [100_000, 1_000_000];
+  const results: (readonly OperationTasks[])[] = [];
+  for (const size of sizes) results.push(await measureTasks(size));
+  console.log(
+    `\nThe longest task of the page's thread, ms of its own time; how many took over ${LONG} ms; the longest on the wall's clock\n`,
+  );
+  const heads = sizes.map((size) => `${size.toLocaleString('en')} triangles | over ${LONG} | wall`);
+  console.log(`| | ${heads.join(' | ')} |`);
+  console.log(`| ---${' | --- | --- | ---'.repeat(sizes.length)} |`);
+  for (const [i, { name }] of (results[0] ?? []).entries()) {
+    const cells = results.flatMap((tasks) => {
+      const { longest = 0, long = 0, wall = 0 } = tasks[i] ?? {};
+      return [longest.toFixed(0), long, wall.toFixed(0)];
+    });
+    console.log(`| ${[name, ...cells].join(' | ')} |`);
+  }
+}
+
+const benches = {
+  spheres: benchSpheres,
+  effects: benchEffects,
+  lab: benchLab,
+  views: benchViews,
+  tasks: benchTasks,
+};
 const asked = process.argv.slice(3);
 for (const [name, bench] of Object.entries(benches))
   if (asked.length === 0 || asked.includes(name)) await bench();

@@ -25,6 +25,7 @@ import { viewActions } from './actions/view.ts';
 import { installClipboard } from './clipboard.ts';
 import { installErrorReports, showStartFailure } from './errors.ts';
 import { GpuTimesBoard } from './gpu-times.ts';
+import { computedElsewhere } from './io/computed-environment.ts';
 import { installDrop } from './io/drop.ts';
 import { ANY_ACCEPT, chooseFiles, download, fileNameOf } from './io/files.ts';
 import { environmentElsewhere, openElsewhere } from './io/importer/import-job.ts';
@@ -88,12 +89,13 @@ const state = new EditorStateStore();
 const workspace = new Workspace({
   store,
   state,
-  picture: () => window.irradia.viewport?.screenshot() ?? null,
+  picture: (width, height) => window.irradia.viewport?.smallPicture(width, height) ?? null,
 });
 const assets = new AssetLoader({
   ...pageAssets,
   openGltf: openElsewhere,
   decodeEnvironment: environmentElsewhere,
+  computeEnvironment: computedElsewhere,
 });
 const mirror = new SceneMirror({
   assets,

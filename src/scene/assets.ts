@@ -9,6 +9,7 @@ import * as THREE from 'three/webgpu';
 import { type GltfFile, readGltf, textureImage } from '../io/gltf/file.ts';
 import type { Geometries } from '../io/gltf/geometry.ts';
 import { decodeBase64, decodeDataUrl } from './base64.ts';
+import { type ComputedSource, computeEnvironment, type EnvironmentMap } from './environment-map.ts';
 import { type EnvironmentPreset, loadPreset, loadSuzanne } from './presets.ts';
 import type { Asset } from './schema.ts';
 
@@ -23,6 +24,8 @@ export interface AssetPlatform {
   openGltf?(asset: Asset): GltfSource | null;
   /** The same for an environment. */
   decodeEnvironment?(asset: Asset): Promise<THREE.DataTexture> | null;
+  /** The same for one that is computed. */
+  computeEnvironment?(source: ComputedSource): Promise<EnvironmentMap>;
 }
 
 /** A glTF file that is open. */
@@ -86,6 +89,11 @@ export class AssetLoader {
     if (!/^image\/(png|jpeg|webp|avif)$/.test(asset.mediaType)) return decodeEnvironment(bytes, asset.name);
     const { environmentOfImage } = await import('./image-environment.ts');
     return environmentOfImage(await this.image(asset, null), asset.name);
+  }
+
+  /** A sky or a studio, in nits. */
+  computed(source: ComputedSource): Promise<EnvironmentMap> {
+    return this.#platform.computeEnvironment?.(source) ?? computeEnvironment(source);
   }
 
   /** The caller's own, to dispose of. */

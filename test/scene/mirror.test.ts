@@ -5,6 +5,7 @@ import { nodeAssets } from '../../src/cli/node-assets.ts';
 import { AssetLoader } from '../../src/scene/assets.ts';
 import { addLight, addObject, putAsset, setField, setLightType } from '../../src/scene/commands.ts';
 import { createDocument } from '../../src/scene/document.ts';
+import { skyDefaults } from '../../src/scene/environment-schema.ts';
 import { lightTypes } from '../../src/scene/light-schema.ts';
 import {
   assignMaterial,
@@ -257,4 +258,50 @@ test('undo and redo of everything leave nothing behind', async () => {
   while (store.canRedo) store.redo();
   await mirror.settled();
   expect(mirror.scene.children.flatMap((group) => group.children)).toHaveLength(4);
+});
+
+test('of skies that a hand drags through, the first and the last are computed, and a late one is dropped', async () => {
+  const asked: { turbidity: number; answer(): void }[] = [];
+  const map = (value: number) => ({ texels: new Float32Array(32).fill(value), width: 4, height: 2 });
+  mirror.dispose();
+  mirror = new SceneMirror({
+    assets: new AssetLoader({
+      ...nodeAssets,
+      computeEnvironment: (source) =>
+        new Promise((resolve) => {
+          const turbidity = source.type === 'sky' ? source.turbidity : 0;
+          asked.push({ turbidity, answer: () => resolve(map(turbidity)) });
+        }),
+    }),
+    onError: (message) => errors.push(message),
+  });
+  const shown = () => {
+    const data = (mirror.scene.environment as THREE.DataTexture | null)?.image.data as
+      | Uint16Array
+      | undefined;
+    return data && THREE.DataUtils.fromHalfFloat(data[0] as number);
+  };
+  const sky = (turbidity: number) =>
+    store.edit('Haze', (draft) => {
+      draft.environment.source = { ...structuredClone(skyDefaults), turbidity };
+    });
+  sky(2);
+  await vi.waitFor(() => expect(asked).toHaveLength(1));
+  for (const turbidity of [3, 4, 5]) sky(turbidity);
+  asked[0]?.answer();
+  await vi.waitFor(() => expect(asked).toHaveLength(2));
+  // It is nearer to what is asked for than what was there.
+  expect(shown()).toBe(2);
+  asked[1]?.answer();
+  await mirror.settled();
+  expect(shown()).toBe(5);
+  expect(asked.map(({ turbidity }) => turbidity)).toEqual([2, 5]);
+
+  sky(6);
+  await vi.waitFor(() => expect(asked).toHaveLength(3));
+  setField(store, ['environment', 'source'], { type: 'none' });
+  asked[2]?.answer();
+  await mirror.settled();
+  expect(mirror.scene.environment).toBeNull();
+  expect(errors).toEqual([]);
 });

@@ -3,10 +3,10 @@
  * defaults, deflated, as base64url. A link may come from anybody: what it holds is bounded while it is
  * unpacked, and then validated as a file would be.
  */
-import { compactDocument } from '../../scene/compact.ts';
 import { parseDocument } from '../../scene/document.ts';
 import type { Document } from '../../scene/schema.ts';
 import { t } from '../language/language.ts';
+import { PREFIX } from './link-text.ts';
 
 /**
  * Characters of an address with its link. The narrowest place on a link's way is the address bar: Chromium's
@@ -22,16 +22,6 @@ export const MAX_TEXT = 4 * 1024 * 1024;
 
 /** Bytes that become a megabyte at most. */
 const SLICE = 1024;
-
-const PREFIX = '#document=';
-
-/** What follows the page's address, for a document of any size. */
-export async function linkFor(document: Document): Promise<string> {
-  const text = JSON.stringify(compactDocument(document));
-  const stream = new Blob([text]).stream().pipeThrough(new CompressionStream('deflate-raw'));
-  const bytes = new Uint8Array(await new Response(stream).arrayBuffer());
-  return `${PREFIX}${encodeBase64Url(bytes)}`;
-}
 
 export function isLink(fragment: string): boolean {
   return fragment.startsWith(PREFIX);
@@ -77,12 +67,6 @@ function inSlices(bytes: Uint8Array<ArrayBuffer>): ReadableStream<Uint8Array<Arr
       at += SLICE;
     },
   });
-}
-
-function encodeBase64Url(bytes: Uint8Array): string {
-  let binary = '';
-  for (const byte of bytes) binary += String.fromCharCode(byte);
-  return btoa(binary).replace(/\+/g, '-').replace(/\//g, '_').replace(/=+$/, '');
 }
 
 function decodeBase64Url(text: string): Uint8Array<ArrayBuffer> {

@@ -3,18 +3,19 @@
 import { language, t } from '../language/language.ts';
 import { bytesText } from '../panels/documents/format.ts';
 import type { Session } from '../session.ts';
+import { linkOf } from '../storage/document-work.ts';
 import { h } from '../ui/dom.ts';
 import { icon } from '../ui/icons.ts';
 import { toast, toastError } from '../ui/toast.ts';
 import { largestParts } from './contents.ts';
-import { linkFor, MAX_ADDRESS } from './link.ts';
+import { MAX_ADDRESS } from './link.ts';
 
 /** What the strictest of the chats in use lets through: Discord. */
 const SHORT_MESSAGE = 2000;
 
 export async function openShare(session: Session): Promise<void> {
   try {
-    const address = `${location.origin}${location.pathname}${await linkFor(session.store.document)}`;
+    const address = `${location.origin}${location.pathname}${await linkOf(session.store.document)}`;
     showDialog(address.length <= MAX_ADDRESS ? linkParts(address) : tooLongParts(session, address.length));
   } catch (error) {
     toastError(t('There is no link for this document'), error);

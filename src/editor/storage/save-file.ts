@@ -2,11 +2,11 @@
  * Save and Save as. Where the browser lets a page write files, Save writes the file that was saved or opened
  * last; elsewhere it hands over a download each time.
  */
-import { serializeDocument } from '../../scene/document.ts';
 import type { DocumentStore } from '../../scene/store.ts';
 import { download, fileNameOf } from '../io/files.ts';
 import { t } from '../language/language.ts';
 import { toast, toastError } from '../ui/toast.ts';
+import { fileOf } from './document-work.ts';
 import type { Workspace } from './workspace.ts';
 
 declare global {
@@ -29,10 +29,12 @@ export async function saveDocument(
 ): Promise<void> {
   const { document } = store;
   const name = `${fileNameOf(document.name)}.json`;
-  const content = new Blob([serializeDocument(document)], { type: 'application/json' });
+  const content = fileOf(document);
+  // Whoever thinks better of it need not hear that it would have failed.
+  content.catch(() => {});
   try {
     if (!window.showSaveFilePicker) {
-      download(name, content);
+      download(name, await content);
       await workspace.savedTo(null);
       toast('success', t('Saved {name}', { name }));
       return;
@@ -40,7 +42,7 @@ export async function saveDocument(
     const file = (as ? null : await permitted(workspace.file)) ?? (await chooseFile(name));
     if (!file) return;
     const writer = await file.createWritable();
-    await writer.write(content);
+    await writer.write(await content);
     await writer.close();
     await workspace.savedTo(file);
     toast('success', t('Saved {file}', { file: file.name }));

@@ -5,7 +5,10 @@
 import { decodeBase64 } from '../../scene/base64.ts';
 import { parseDocument } from '../../scene/document.ts';
 import type { Asset, Document } from '../../scene/schema.ts';
+import { trustAsset } from '../../scene/validate.ts';
 import { t } from '../language/language.ts';
+import type { SentAsset, SentDocument } from '../threads/sent-assets.ts';
+import { sha256Of } from '../threads/sha256.ts';
 
 export interface StoredAsset {
   readonly name: string;
@@ -33,6 +36,22 @@ export function isHashed(document: Document): boolean {
   return Object.values(document.assets).every((asset) => hashed.has(asset));
 }
 
+/** What is known of a new asset's bytes already. */
+export function rememberBytes(asset: Asset, sha256: string, blob: Blob): void {
+  const { name, mediaType } = asset;
+  hashed.set(asset, { stored: { name, mediaType, sha256 }, blob });
+}
+
+/** For another thread: whatever has been hashed as a Blob, which costs nothing. */
+export function toSend(asset: Asset): SentAsset {
+  return { ...asset, data: hashed.get(asset)?.blob ?? asset.data };
+}
+
+export function documentToSend(document: Document): SentDocument {
+  const assets = Object.entries(document.assets).map(([id, asset]) => [id, toSend(asset)] as const);
+  return { ...document, assets: Object.fromEntries(assets) };
+}
+
 /** Asks the browser, which does both off this thread, for the bytes and the hash of every new asset. */
 export async function hashAssets(document: Document): Promise<void> {
   for (const asset of Object.values(document.assets)) {
@@ -45,9 +64,7 @@ export async function hashAssets(document: Document): Promise<void> {
 
 async function hashAsset({ name, mediaType, data }: Asset): Promise<HashedAsset> {
   const bytes = await bytesOfBase64(data);
-  const digest = new Uint8Array(await crypto.subtle.digest('SHA-256', bytes));
-  const sha256 = [...digest].map((byte) => byte.toString(16).padStart(2, '0')).join('');
-  return { stored: { name, mediaType, sha256 }, blob: new Blob([bytes]) };
+  return { stored: { name, mediaType, sha256: await sha256Of(bytes) }, blob: new Blob([bytes]) };
 }
 
 /** Of the two ways that do not run through the text character by character, the newer one is ten times as fast. */
@@ -90,7 +107,7 @@ export async function putTogether(
   bytesFor: (sha256: string) => Promise<Blob | undefined>,
 ): Promise<Document> {
   const blobs = new Map<string, HashedAsset>();
-  const assets: Record<string, unknown> = {};
+  const texts: Record<string, Asset> = {};
   for (const [id, stored] of Object.entries((json.assets ?? {}) as StoredDocument['assets'])) {
     const blob = await bytesFor(stored.sha256);
     if (!blob)
@@ -98,14 +115,31 @@ export async function putTogether(
         t('{fileName}: the bytes of {name} are no longer in this browser.', { fileName, name: stored.name }),
       );
     blobs.set(id, { stored, blob });
-    assets[id] = { name: stored.name, mediaType: stored.mediaType, data: await base64Of(blob) };
+    texts[id] = { name: stored.name, mediaType: stored.mediaType, data: await base64Of(blob) };
   }
-  const document = parseDocument({ ...json, assets }, fileName);
-  for (const [id, asset] of Object.entries(document.assets)) {
+  const parsed = parseDocument({ ...json, assets: withoutText(texts, json) }, fileName);
+  const document = { ...parsed, assets: { ...parsed.assets } };
+  for (const [id, asset] of Object.entries(parsed.assets)) {
+    const whole = { ...asset, data: texts[id]?.data ?? '' };
+    trustAsset(whole);
+    document.assets[id] = whole;
     const known = blobs.get(id);
-    if (known) hashed.set(asset, known);
+    if (known) hashed.set(whole, known);
   }
   return document;
+}
+
+/** Base64 that the browser has just made of bytes is base64: only what a model is read from has to be there. */
+function withoutText(
+  texts: Readonly<Record<string, Asset>>,
+  { models }: Record<string, unknown>,
+): Record<string, Asset> {
+  const read = new Set(
+    Object.values(models ?? {}).map((model: Partial<{ measured: string }> | null) => model?.measured),
+  );
+  return Object.fromEntries(
+    Object.entries(texts).map(([id, asset]) => [id, read.has(id) ? asset : { ...asset, data: '' }]),
+  );
 }
 
 /** The browser encodes base64 off this thread and fast. */

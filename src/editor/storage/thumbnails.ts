@@ -1,19 +1,21 @@
 /** Small pictures of the view for the list of documents. They are drawn when the hand rests. */
-import { h } from '../ui/dom.ts';
+import { thumbnailFile } from './document-work.ts';
 import type { KeptDocument, KeptDocuments } from './kept-documents.ts';
 
 /** In pixels: sharp at twice the size it has in the list. */
-const WIDTH = 400;
-const HEIGHT = 250;
+const SIZE = { width: 400, height: 250 } as const;
 /** After the last edit. */
 const REST_MS = 20_000;
 
+/** The middle of the view, in a size; null while there is none. */
+export type TakePicture = (width: number, height: number) => Promise<ImageBitmap> | null;
+
 export class Thumbnails {
-  readonly #picture: () => Promise<Blob> | null;
+  readonly #picture: TakePicture;
   #timer: number | undefined;
   #stale = false;
 
-  constructor(picture: () => Promise<Blob> | null) {
+  constructor(picture: TakePicture) {
     this.#picture = picture;
   }
 
@@ -28,28 +30,12 @@ export class Thumbnails {
     clearTimeout(this.#timer);
     if (!this.#stale || !storage || !kept) return;
     try {
-      const picture = await this.#picture();
+      const picture = await this.#picture(SIZE.width, SIZE.height);
       if (!picture) return;
       this.#stale = false;
-      await storage.setThumbnail(kept.id, await shrunk(picture));
+      await storage.setThumbnail(kept.id, await thumbnailFile(picture));
     } catch {
       this.#stale = true;
     }
   }
-}
-
-/** The middle of the picture, cut to the list's shape. */
-async function shrunk(picture: Blob): Promise<Blob> {
-  const image = await createImageBitmap(picture);
-  const scale = Math.max(WIDTH / image.width, HEIGHT / image.height);
-  const [width, height] = [WIDTH / scale, HEIGHT / scale];
-  const [x, y] = [(image.width - width) / 2, (image.height - height) / 2];
-  const canvas = h('canvas', { width: WIDTH, height: HEIGHT });
-  const context = canvas.getContext('2d');
-  if (context) context.imageSmoothingQuality = 'high';
-  context?.drawImage(image, x, y, width, height, 0, 0, WIDTH, HEIGHT);
-  image.close();
-  return new Promise((resolve, reject) => {
-    canvas.toBlob((blob) => (blob ? resolve(blob) : reject(new Error('no image'))), 'image/webp', 0.8);
-  });
 }

@@ -13,15 +13,14 @@ import { AS_OPENED, Autosave, type KeepState } from './autosave.ts';
 import { explainFailure } from './failure.ts';
 import { type KeptDocument, KeptDocuments, type Version } from './kept-documents.ts';
 import { hold, readSession, type SessionRecord, writeSession } from './session-record.ts';
-import { Thumbnails } from './thumbnails.ts';
+import { type TakePicture, Thumbnails } from './thumbnails.ts';
 
 const PURGE_AFTER_MS = 10_000;
 
 export interface WorkspaceOptions {
   readonly store: DocumentStore;
   readonly state: EditorStateStore;
-  /** A picture of the view; null while there is none. */
-  picture(): Promise<Blob> | null;
+  picture: TakePicture;
 }
 
 export class Workspace {

@@ -1,10 +1,12 @@
 /** A click on the picture says what the lens is focused on. */
+import { Vector3 } from 'three/webgpu';
 import type { SceneMirror } from '../../scene/mirror.ts';
 import { attempt } from '../commands.ts';
 import { t } from '../language/language.ts';
 import type { Session } from '../session.ts';
+import { ignoreEnd } from '../threads/thread.ts';
 import { toast } from '../ui/toast.ts';
-import { pickDistance } from './selecting/picking.ts';
+import { type Picked, rayAt, whenPicked } from './selecting/picking.ts';
 
 export interface FocusPickingOptions {
   readonly canvas: HTMLCanvasElement;
@@ -48,16 +50,25 @@ export class FocusPicking {
   at(x: number, y: number): void {
     const { mirror, session } = this.#options;
     this.#set(false);
-    const found = pickDistance(mirror, x, y);
-    if (found === null) {
+    const { store } = session;
+    const state = () => [store.document.objects, store.document.camera];
+    void whenPicked(mirror, rayAt(mirror, x, y), state, ([first]) => this.#focusOn(first)).catch(ignoreEnd);
+  }
+
+  #focusOn(found: Picked | undefined): void {
+    const { mirror, session } = this.#options;
+    if (!found) {
       toast('info', t('Nothing is there to focus on'), t('The distance that is in focus is as it was.'));
       return;
     }
     const { store } = session;
+    const forward = mirror.camera.getWorldDirection(new Vector3());
+    // Along the view.
+    const distance = found.point.clone().sub(mirror.camera.position).dot(forward);
     const name = store.document.objects[found.id]?.name ?? t('the picture');
     attempt(t('The focus stays as it was'), () =>
       store.edit(t('Focus the lens on {name}', { name }), (draft) => {
-        draft.camera.focusDistance = Number(found.distance.toPrecision(6));
+        draft.camera.focusDistance = Number(distance.toPrecision(6));
       }),
     );
     if (store.document.camera.fStop === 0)

@@ -6,6 +6,7 @@ import type { Session } from '../session.ts';
 import type { CameraControl, CameraStep } from './camera.ts';
 import { FocusPicking } from './focus-picking.ts';
 import { Gizmo } from './gizmo/gizmo.ts';
+import { pageMeshes } from './meshes/meshes.ts';
 import { type AxesGizmo, createAxesGizmo } from './navigation/axes-gizmo.ts';
 import { boundsOf } from './navigation/bounds.ts';
 import {
@@ -51,7 +52,7 @@ export class Hands {
     const { element, canvas, session, mirror, camera } = options;
     this.#options = options;
     this.#overlay = createOverlay();
-    this.#outlines = new Outlines(mirror);
+    this.#outlines = new Outlines(mirror, pageMeshes, () => this.#schedule());
     this.#focusPicking = new FocusPicking({ canvas, mirror, session });
     const picking = { canvas, mirror, session, overlay: this.#overlay, focusPicking: this.#focusPicking };
     const dragging = {
@@ -164,6 +165,6 @@ export class Hands {
   }
 
   drop(): void {
-    dropSelection(this.#options.session, this.#options.mirror);
+    void dropSelection(this.#options.session, this.#options.mirror);
   }
 }

@@ -43,3 +43,15 @@ export function pngOf(canvas: HTMLCanvasElement): Promise<Blob> {
     );
   });
 }
+
+/** As much of a canvas as has the shape of this size, in this size. */
+export function middleOf(canvas: HTMLCanvasElement, width: number, height: number): Promise<ImageBitmap> {
+  const scale = Math.max(width / canvas.width, height / canvas.height);
+  const [partWidth, partHeight] = [width / scale, height / scale];
+  const [x, y] = [(canvas.width - partWidth) / 2, (canvas.height - partHeight) / 2];
+  return createImageBitmap(canvas, x, y, partWidth, partHeight, {
+    resizeWidth: width,
+    resizeHeight: height,
+    resizeQuality: 'high',
+  });
+}

@@ -3,7 +3,6 @@ import * as THREE from 'three/webgpu';
 import type { AssetLoader } from '../assets.ts';
 import {
   type ComputedSource,
-  computeEnvironment,
   type EnvironmentMap,
   environmentScale,
   isComputed,
@@ -28,6 +27,9 @@ export class EnvironmentMirror {
   #unit = 1;
   #sky: SkyBackground | null = null;
   #document: Document | null = null;
+  /** What is to be computed next. */
+  #wanted: { readonly source: ComputedSource; readonly identity: Identity } | null = null;
+  #computing = false;
 
   constructor(scene: THREE.Scene, assets: AssetLoader, pending: Pending) {
     this.#scene = scene;
@@ -57,10 +59,13 @@ export class EnvironmentMirror {
     const identity = identityOf(document);
     if (identity === this.#identity) return;
     this.#identity = identity;
+    this.#wanted = null;
     if (source.type === 'none') this.#show(null);
     else if (source.type === 'constant') this.#showOwn(constantMap(source.color));
-    else if (isComputed(source)) this.#pending.add(this.#compute(source, identity), () => {});
-    else {
+    else if (isComputed(source)) {
+      this.#wanted = { source, identity };
+      if (!this.#computing) this.#pending.add(this.#compute(), () => {});
+    } else {
       const loading =
         source.type === 'preset'
           ? this.#assets.preset(source.name)
@@ -81,12 +86,25 @@ export class EnvironmentMirror {
     }
   }
 
-  /** While numbers are dragged the page stays alive: what is no longer asked for is not computed. */
-  async #compute(source: ComputedSource, identity: Identity): Promise<void> {
-    await new Promise((resolve) => setTimeout(resolve));
-    if (this.#identity !== identity) return;
-    const map = await computeEnvironment(source);
-    if (this.#identity === identity) this.#showOwn(map);
+  /** One at a time: of the numbers that a hand drags through, those that came last. */
+  async #compute(): Promise<void> {
+    this.#computing = true;
+    try {
+      // All that this task asks for.
+      await new Promise((resolve) => setTimeout(resolve));
+      for (let next = this.#wanted; next !== null; next = this.#wanted) {
+        this.#wanted = null;
+        const map = await this.#assets.computed(next.source);
+        // While a hand drags, what was asked for a moment ago is nearer than what is shown.
+        if (this.#identity === next.identity || this.#isStillOfType(next.source.type)) this.#showOwn(map);
+      }
+    } finally {
+      this.#computing = false;
+    }
+  }
+
+  #isStillOfType(type: ComputedSource['type']): boolean {
+    return this.#wanted?.source.type === type;
   }
 
   #showOwn(map: EnvironmentMap): void {

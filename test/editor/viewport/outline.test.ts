@@ -17,6 +17,7 @@ import {
 } from 'three/webgpu';
 import { describe, expect, it } from 'vitest';
 import { createRandom } from '../../../src/analysis/random.ts';
+import type { Shape } from '../../../src/editor/viewport/meshes/shape.ts';
 import { meshEdges } from '../../../src/editor/viewport/outline/mesh-edges.ts';
 import { type Loop, silhouette } from '../../../src/editor/viewport/outline/silhouette.ts';
 import { isInRectangle, rectangleProjection } from '../../../src/editor/viewport/selecting/box-test.ts';
@@ -25,9 +26,9 @@ const random = createRandom(11);
 const between = (low: number, high: number) => low + (high - low) * random();
 const [WIDTH, HEIGHT] = [300, 200];
 
-const trianglesOf = ({ attributes, index }: BufferGeometry) => ({
-  positions: attributes.position!.array,
-  index: index?.array ?? null,
+const trianglesOf = ({ attributes, index }: BufferGeometry): Shape => ({
+  positions: attributes.position!.array as Float32Array,
+  index: (index?.array ?? null) as Shape['index'],
 });
 
 function cameraAt(...position: [number, number, number]): PerspectiveCamera {

@@ -3,6 +3,7 @@ import * as THREE from 'three/webgpu';
 import type { GltfSource, TextureImage } from '../../../scene/assets.ts';
 import type { Asset } from '../../../scene/schema.ts';
 import { t, translate } from '../../language/language.ts';
+import { rememberBytes, toSend } from '../../storage/stored-document.ts';
 import type { FromImporter, GeometryData, ImportResult, ToImporter } from './messages.ts';
 
 /** An import was given up by the person: nothing to report. */
@@ -22,6 +23,7 @@ export function startJob(
 ): ImportJob {
   const worker = spawn();
   let cancel = (): void => {};
+  const parts: string[] = [];
   const result = new Promise<{ result: ImportResult; source: GltfSource }>((resolve, reject) => {
     const end = (error: Error): void => {
       worker.terminate();
@@ -29,13 +31,17 @@ export function startJob(
     };
     cancel = () => end(new ImportCancelled());
     worker.addEventListener('message', ({ data }: MessageEvent<FromImporter>) => {
-      if (data.kind === 'progress') onProgress(translate(data.text), data.fraction);
+      if (data.kind === 'text') parts.push(data.part);
+      else if (data.kind === 'progress') onProgress(translate(data.text), data.fraction);
       else if (data.kind === 'failed') end(new Error(data.message));
       else if (data.kind === 'done') {
         const { result } = data;
-        if (result.kind === 'model')
-          resolve({ result, source: new RemoteGltf(result.imported.asset, worker) });
-        else {
+        if (result.kind === 'model') {
+          const asset = { ...result.imported.asset, data: parts.join('') };
+          if (result.bytes) rememberBytes(asset, result.bytes.sha256, result.bytes.blob);
+          const imported = { ...result.imported, asset };
+          resolve({ result: { ...result, imported }, source: new RemoteGltf(asset, worker) });
+        } else {
           worker.terminate();
           resolve({ result, source: noSource });
         }
@@ -63,7 +69,7 @@ export const environmentElsewhere = (asset: Asset): Promise<THREE.DataTexture> |
   asset.data.length < WORTH_A_THREAD ? null : decodeEnvironment(asset);
 
 async function decodeEnvironment(asset: Asset): Promise<THREE.DataTexture> {
-  const { result } = await startJob({ kind: 'environment', asset }, () => {}).result;
+  const { result } = await startJob({ kind: 'environment', asset: toSend(asset) }, () => {}).result;
   if (result.kind !== 'environment') throw new Error('an environment was expected');
   const { data, width, height, format, type, colorSpace, flipY } = result.environment;
   const texture = new THREE.DataTexture(
@@ -141,7 +147,7 @@ class RemoteGltf implements GltfSource {
     const worker = spawn();
     this.#life += 1;
     this.#use(worker);
-    worker.postMessage({ kind: 'open', asset: this.#asset } satisfies ToImporter);
+    worker.postMessage({ kind: 'open', asset: toSend(this.#asset) } satisfies ToImporter);
     return worker;
   }
 

@@ -6,7 +6,11 @@ import type { Companions } from '../../../io/meshes/companions.ts';
 import { isModelFile } from '../../../io/model-extensions.ts';
 import { readZip } from '../../../io/zip.ts';
 import { messageOf } from '../../../scene/assets.ts';
+import { decodeBase64 } from '../../../scene/base64.ts';
 import { parseDocument } from '../../../scene/document.ts';
+import type { Asset } from '../../../scene/schema.ts';
+import { receivedAsset, receivedDocument } from '../../threads/sent-assets.ts';
+import { sha256Of } from '../../threads/sha256.ts';
 import { readBytes } from '../read-bytes.ts';
 import { fetchFiles } from './fetch.ts';
 import type { EnvironmentData, FromImporter, ImportResult, PlacedFile, ToImporter } from './messages.ts';
@@ -26,10 +30,24 @@ export async function runJob(job: Job, server: Server, post: Post): Promise<void
     const result = await resultOf(job, server, (text, fraction) =>
       post({ kind: 'progress', text, fraction }),
     );
-    post({ kind: 'done', result }, buffersOf(result));
+    post(
+      { kind: 'done', result: result.kind === 'model' ? inParts(result, post) : result },
+      buffersOf(result),
+    );
   } catch (error) {
     post({ kind: 'failed', message: messageOf(error) });
   }
+}
+
+/** Characters that a page takes over within a few milliseconds. */
+const PART = 4 * 1024 * 1024;
+
+/** @returns the result without the text that has been posted */
+function inParts(result: Extract<ImportResult, { kind: 'model' }>, post: Post): ImportResult {
+  const { imported } = result;
+  const { data } = imported.asset;
+  for (let at = 0; at < data.length; at += PART) post({ kind: 'text', part: data.slice(at, at + PART) });
+  return { ...result, imported: { ...imported, asset: { ...imported.asset, data: '' } } };
 }
 
 function buffersOf(result: ImportResult): ArrayBuffer[] {
@@ -45,13 +63,17 @@ async function resultOf(job: Job, server: Server, progress: Progress): Promise<I
       return { kind: 'files', files: await fetchFiles(job.url, progress), notes: [] };
     case 'export': {
       const { exportGltf } = await import('../../../io/gltf-export.ts');
-      const { bytes, notes } = await exportGltf(job.document, server.assets, (fraction) =>
-        progress('Exporting the scene', fraction),
+      const { bytes, notes } = await exportGltf(
+        await receivedDocument(job.document),
+        server.assets,
+        (fraction) => progress('Exporting the scene', fraction),
       );
       return { kind: 'files', files: [{ path: 'scene.glb', bytes }], notes };
     }
     case 'environment': {
-      const { image, format, type, colorSpace, flipY } = await server.assets.environment(job.asset);
+      const { image, format, type, colorSpace, flipY } = await server.assets.environment(
+        await receivedAsset(job.asset),
+      );
       const data = image.data as unknown as EnvironmentData['data'];
       const { width, height } = image;
       return { kind: 'environment', environment: { data, width, height, format, type, colorSpace, flipY } };
@@ -108,9 +130,20 @@ async function read(
   return readJson(bytes, name, options, server);
 }
 
-function modelOf(imported: Awaited<ReturnType<typeof importModel>>, server: Server): ImportResult {
-  server.open(imported.asset);
-  return { kind: 'model', imported };
+async function modelOf(
+  imported: Awaited<ReturnType<typeof importModel>>,
+  server: Server,
+): Promise<ImportResult> {
+  server.keep(imported.asset);
+  return { kind: 'model', imported, bytes: await bytesOf(imported.asset) };
+}
+
+/** What the page keeps of a new asset, and would have to find out itself. */
+async function bytesOf({ data }: Asset): Promise<{ sha256: string; blob: Blob } | null> {
+  // Only where the page cannot have been tampered with on its way.
+  if (!crypto.subtle) return null;
+  const bytes = decodeBase64(data);
+  return { sha256: await sha256Of(bytes), blob: new Blob([bytes]) };
 }
 
 /** A document, a scene of three.js or a material: what is inside tells. */

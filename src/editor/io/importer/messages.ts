@@ -1,7 +1,8 @@
 /** What the page and the thread that reads its files say to each other. */
 import type { ImportedModel } from '../../../io/gltf.ts';
 import type { MaterialFile } from '../../../io/material-file.ts';
-import type { Asset, Document } from '../../../scene/schema.ts';
+import type { Document } from '../../../scene/schema.ts';
+import type { SentAsset, SentDocument } from '../../threads/sent-assets.ts';
 
 /** A file and where it lay in the folder, archive or address that it came from. */
 export interface PlacedFile {
@@ -14,16 +15,22 @@ export type ToImporter =
   | { readonly kind: 'import'; readonly main: PlacedFile; readonly others: readonly PlacedFile[] }
   | { readonly kind: 'unzip'; readonly archive: PlacedFile }
   | { readonly kind: 'fetch'; readonly url: string }
-  | { readonly kind: 'environment'; readonly asset: Asset }
+  | { readonly kind: 'environment'; readonly asset: SentAsset }
   /** Makes a GLB of a document. */
-  | { readonly kind: 'export'; readonly document: Document }
+  | { readonly kind: 'export'; readonly document: SentDocument }
   /** Opens a glTF asset of a document, for what follows. */
-  | { readonly kind: 'open'; readonly asset: Asset }
+  | { readonly kind: 'open'; readonly asset: SentAsset }
   | { readonly kind: 'geometry'; readonly ticket: number; readonly node: number; readonly primitive: number }
   | { readonly kind: 'image'; readonly ticket: number; readonly texture: number };
 
 export type ImportResult =
-  | { readonly kind: 'model'; readonly imported: ImportedModel }
+  | {
+      readonly kind: 'model';
+      /** Its asset has the text that came before, in parts. */
+      readonly imported: ImportedModel;
+      /** Of the asset; null where the page may not hash. */
+      readonly bytes: { readonly sha256: string; readonly blob: Blob } | null;
+    }
   | { readonly kind: 'document'; readonly document: Document }
   | { readonly kind: 'material'; readonly material: MaterialFile }
   | { readonly kind: 'environment'; readonly environment: EnvironmentData }
@@ -56,6 +63,8 @@ export interface GeometryData {
 
 export type FromImporter =
   | { readonly kind: 'progress'; readonly text: string; readonly fraction: number | null }
+  /** A part of the asset's text: to copy all of it at once would take too long. */
+  | { readonly kind: 'text'; readonly part: string }
   | { readonly kind: 'done'; readonly result: ImportResult }
   | { readonly kind: 'failed'; readonly message: string }
   /** `data` is null where it has been sent before under the same key. */

@@ -4,6 +4,7 @@ import { ensureTangents } from '../../../material/tangents.ts';
 import { AssetLoader, messageOf } from '../../../scene/assets.ts';
 import { pageAssets } from '../../../scene/page-assets.ts';
 import type { Asset } from '../../../scene/schema.ts';
+import { receivedAsset, type SentAsset } from '../../threads/sent-assets.ts';
 import type { FromImporter, GeometryData, ToImporter } from './messages.ts';
 
 type Question = Extract<ToImporter, { ticket: number }>;
@@ -13,24 +14,30 @@ export class Server {
   readonly assets = new AssetLoader(pageAssets);
   readonly #post: Post;
   readonly #sent = new Map<BufferGeometry, string>();
-  #asset: Asset | null = null;
+  #asset: Promise<Asset> | null = null;
 
   constructor(post: Post) {
     this.#post = post;
   }
 
-  open(asset: Asset): void {
-    this.#asset = asset;
+  open(asset: SentAsset): void {
+    this.#asset = receivedAsset(asset);
+  }
+
+  /** The same of what this thread has made. */
+  keep(asset: Asset): void {
+    this.#asset = Promise.resolve(asset);
   }
 
   async answer(question: Question): Promise<void> {
     const { ticket } = question;
     try {
       if (this.#asset === null) throw new Error('no file is open');
+      const asset = await this.#asset;
       if (question.kind === 'geometry') {
         const { node, primitive } = question;
-        this.#give(ticket, await this.assets.gltfGeometry(this.#asset, node, primitive));
-      } else await this.#giveImage(ticket, this.#asset, question.texture);
+        this.#give(ticket, await this.assets.gltfGeometry(asset, node, primitive));
+      } else await this.#giveImage(ticket, asset, question.texture);
     } catch (error) {
       this.#post({ kind: 'refused', ticket, message: messageOf(error) });
     }

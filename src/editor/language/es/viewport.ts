@@ -98,6 +98,7 @@ export const viewport: Catalogue = {
   'All is in focus': 'Todo está enfocado',
   'The camera is a pinhole: its f-number is 0.': 'La cámara es estenopeica: su número f es 0.',
   'Aim {name}': 'Apuntar {name}',
+  'Looking for what is below': 'Se busca lo que hay debajo',
   'It stays where it was': 'Se queda donde estaba',
   'Move {count} things': { one: 'Mover {count} elemento', other: 'Mover {count} elementos' },
   'Rotate {count} things': { one: 'Girar {count} elemento', other: 'Girar {count} elementos' },

@@ -8,6 +8,7 @@ import { runImport } from '../../io/open-import.ts';
 import { t, translate } from '../../language/language.ts';
 import { selectedMaterial } from '../../selected-material.ts';
 import type { Session } from '../../session.ts';
+import { documentToSend } from '../../storage/stored-document.ts';
 import type { MenuEntry } from '../../ui/menu.ts';
 import { toast, toastError } from '../../ui/toast.ts';
 
@@ -70,7 +71,10 @@ async function exportModel({ session }: ExportContext): Promise<void> {
   const { document } = session.store;
   const name = `${fileNameOf(document.name)}.glb`;
   try {
-    const { result } = await runImport(t('Exporting {name}', { name }), { kind: 'export', document });
+    const { result } = await runImport(t('Exporting {name}', { name }), {
+      kind: 'export',
+      document: documentToSend(document),
+    });
     if (result.kind !== 'files') return;
     for (const { bytes } of result.files) download(name, new Blob([bytes], { type: 'model/gltf-binary' }));
     toast('success', t('Exported {name}', { name }));

@@ -3,10 +3,11 @@ import { Box3 } from 'three/webgpu';
 import type { SceneMirror } from '../../../scene/mirror.ts';
 import { t } from '../../language/language.ts';
 import type { Session } from '../../session.ts';
+import { ignoreEnd } from '../../threads/thread.ts';
 import { h } from '../../ui/dom.ts';
 import { boxCorners } from '../../viewport/light-lines.ts';
 import { createProjector } from '../../viewport/projector.ts';
-import { pickAt } from '../../viewport/selecting/picking.ts';
+import { type Picked, pickAlong, rayAt, whenPicked } from '../../viewport/selecting/picking.ts';
 import { giveToObjects, titleOf } from './chosen.ts';
 import { DRAG_TYPE, draggedOffer, endDrag } from './drag.ts';
 
@@ -26,12 +27,12 @@ export function installDropTarget(session: Session, view: HTMLElement, mirror: S
 
   const isMaterial = (event: DragEvent) =>
     draggedOffer() !== null && event.dataTransfer?.types.includes(DRAG_TYPE) === true;
-  const under = ({ clientX, clientY }: DragEvent): string | null => {
+  const rayOf = ({ clientX, clientY }: DragEvent) => {
     const { left, top, width, height } = view.getBoundingClientRect();
-    const [x, y] = [((clientX - left) / width) * 2 - 1, 1 - ((clientY - top) / height) * 2];
-    const found = pickAt(mirror, x, y).find(({ id }) => !store.document.objects[id]?.locked);
-    return found?.id ?? null;
+    return rayAt(mirror, ((clientX - left) / width) * 2 - 1, 1 - ((clientY - top) / height) * 2);
   };
+  const first = (picked: readonly Picked[]): string | null =>
+    picked.find(({ id }) => !store.document.objects[id]?.locked)?.id ?? null;
   const show = (id: string | null) => {
     const offer = draggedOffer();
     element.hidden = id === null || offer === null;
@@ -64,7 +65,9 @@ export function installDropTarget(session: Session, view: HTMLElement, mirror: S
     if (!isMaterial(event)) return;
     event.preventDefault();
     if (event.dataTransfer) event.dataTransfer.dropEffect = 'copy';
-    show(under(event));
+    const picked = pickAlong(mirror, rayOf(event));
+    // Until it is known what is there, the browser asks again.
+    if (!(picked instanceof Promise)) show(first(picked));
   });
   view.addEventListener('dragleave', (event) => {
     if (!(event.relatedTarget instanceof Node && view.contains(event.relatedTarget))) show(null);
@@ -73,12 +76,19 @@ export function installDropTarget(session: Session, view: HTMLElement, mirror: S
     const offer = draggedOffer();
     if (!isMaterial(event) || !offer) return;
     event.preventDefault();
-    const id = under(event);
     show(null);
     endDrag();
-    if (id === null) return;
-    giveToObjects(session, offer, [id]);
-    state.select({ kind: 'objects', id });
+    void whenPicked(
+      mirror,
+      rayOf(event),
+      () => [store.document.objects],
+      (picked) => {
+        const id = first(picked);
+        if (id === null) return;
+        giveToObjects(session, offer, [id]);
+        state.select({ kind: 'objects', id });
+      },
+    ).catch(ignoreEnd);
   });
   window.addEventListener('dragend', () => {
     endDrag();

@@ -37,10 +37,15 @@ export function targetsOf(
 /** A tenth of a millimetre, as the camera is written. */
 const STEP = 1e-4;
 
-/** The surface under the pointer; where there is none, the plane that faces the camera at the target's distance. */
+/**
+ * The surface under the pointer; where there is none, the plane that faces the camera at the target's distance. Null while it is
+ * not known.
+ */
 export function aimAt(mirror: SceneMirror, target: Target, { ray }: Pointer, snap: boolean): Triple | null {
+  const picked = pickAlong(mirror, ray);
+  if (picked instanceof Promise) return null;
   const point =
-    pickAlong(mirror, ray)[0]?.point ??
+    picked[0]?.point ??
     onPlane(ray, new Vector3(...target.position), mirror.camera.getWorldDirection(new Vector3()));
   if (!point) return null;
   return point.toArray().map((x) => roundTo(snap ? roundTo(x, STEPS.move) : x, STEP)) as Triple;

@@ -1,11 +1,12 @@
 /** Draws the outlines of what is selected on the overlay: the last chosen in the accent's colour, the others paler. */
-import { Box3, type BufferGeometry, Matrix4, type Mesh, type PerspectiveCamera, Vector3 } from 'three/webgpu';
+import { Box3, Matrix4, type Mesh, type PerspectiveCamera, Vector3 } from 'three/webgpu';
 import type { SceneMirror } from '../../../scene/mirror.ts';
 import type { Entity } from '../../state.ts';
 import { boxCorners, type Line } from '../light-lines.ts';
+import { type Meshes, triangleCount } from '../meshes/meshes.ts';
 import type { Point } from '../projector.ts';
 import { OutlineLayer } from './layer.ts';
-import { type MeshEdges, meshEdges } from './mesh-edges.ts';
+import type { MeshEdges } from './mesh-edges.ts';
 import { type Loop, silhouette } from './silhouette.ts';
 
 /** Triangles whose outlines are found, 8 ms a frame for 100 000; what is beyond has marks at the corners of its bounds. */
@@ -28,12 +29,16 @@ interface Cached {
 
 export class Outlines {
   readonly #mirror: SceneMirror;
-  readonly #edges = new WeakMap<BufferGeometry, MeshEdges>();
+  readonly #meshes: Meshes;
+  readonly #redraw: () => void;
   readonly #cache = new WeakMap<Mesh, Cached>();
   #layer: OutlineLayer | null = null;
 
-  constructor(mirror: SceneMirror) {
+  /** @param redraw is called when an outline can be drawn that could not before */
+  constructor(mirror: SceneMirror, meshes: Meshes, redraw: () => void) {
     this.#mirror = mirror;
+    this.#meshes = meshes;
+    this.#redraw = redraw;
   }
 
   draw(context: CanvasRenderingContext2D, selected: readonly Entity[], width: number, height: number): Marks {
@@ -54,8 +59,14 @@ export class Outlines {
       mesh.updateWorldMatrix(true, false);
       triangles += triangleCount(mesh.geometry);
       if (i >= MAX_OBJECTS) marks.places.push(placeOf(mesh));
-      else if (triangles > MAX_TRIANGLES) marks.corners.push(...cornersOf(mesh));
-      else (i === 0 && isLast ? last : others).push(this.#path(mesh, this.#mirror.camera, width, height));
+      else {
+        const edges = triangles > MAX_TRIANGLES ? null : this.#meshes.edges(mesh.geometry, this.#redraw);
+        if (edges === null) marks.corners.push(...cornersOf(mesh));
+        else
+          (i === 0 && isLast ? last : others).push(
+            this.#path(mesh, edges, this.#mirror.camera, width, height),
+          );
+      }
     }
     this.#layer ??= new OutlineLayer();
     this.#layer.draw(context, last, others);
@@ -63,8 +74,7 @@ export class Outlines {
   }
 
   /** The same path as long as nothing has moved. */
-  #path(mesh: Mesh, camera: PerspectiveCamera, width: number, height: number): Path2D {
-    const edges = this.#edgesOf(mesh.geometry);
+  #path(mesh: Mesh, edges: MeshEdges, camera: PerspectiveCamera, width: number, height: number): Path2D {
     const toClip = new Matrix4()
       .multiplyMatrices(camera.projectionMatrix, camera.matrixWorldInverse)
       .multiply(mesh.matrixWorld);
@@ -77,19 +87,6 @@ export class Outlines {
     this.#cache.set(mesh, { edges, toClip, size, path });
     return path;
   }
-
-  #edgesOf(geometry: BufferGeometry): MeshEdges {
-    let edges = this.#edges.get(geometry);
-    if (!edges) {
-      edges = meshEdges(geometry.getAttribute('position').array, geometry.index?.array ?? null);
-      this.#edges.set(geometry, edges);
-    }
-    return edges;
-  }
-}
-
-function triangleCount({ index, attributes }: BufferGeometry): number {
-  return (index?.count ?? attributes.position?.count ?? 0) / 3;
 }
 
 /** The bounds in the object's own space, so that the marks turn with it. */

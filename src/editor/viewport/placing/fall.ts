@@ -4,6 +4,9 @@
  * one of the polygon's corners. The least of all gaps is exact: corners on faces, faces on corners, edges on edges.
  */
 
+import type { Matrix4 } from 'three/webgpu';
+import { type Shape, vertexOf } from '../meshes/shape.ts';
+
 /** World-space triangles: xyz of three corners each. y is up. */
 export type Triangles = Float64Array;
 
@@ -44,6 +47,38 @@ export function fallOf(
   if (ground !== null) return Math.min(least, plan.low - ground);
   return Number.isFinite(least) ? least : plan.low;
 }
+
+/** @param toWorld from the mesh's own space */
+export function worldTriangles(shape: Shape, toWorld: Matrix4): Triangles {
+  const { positions, index } = shape;
+  const e = toWorld.elements;
+  const count = index?.length ?? positions.length / 3;
+  const triangles = new Float64Array(3 * count);
+  for (let i = 0; i < count; i++) {
+    const at = 3 * vertexOf(shape, i);
+    const [x, y, z] = [positions[at]!, positions[at + 1]!, positions[at + 2]!];
+    for (let row = 0; row < 3; row++)
+      triangles[3 * i + row] = e[row]! * x + e[row + 4]! * y + e[row + 8]! * z + e[row + 12]!;
+  }
+  return triangles;
+}
+
+/** The height of the lowest corner in the world. */
+export function lowestOf(shape: Shape, toWorld: Matrix4): number {
+  const { positions, index } = shape;
+  const [, x, , , , y, , , , z, , , , w] = toWorld.elements as unknown as number[];
+  const count = index?.length ?? positions.length / 3;
+  let lowest = Number.POSITIVE_INFINITY;
+  for (let i = 0; i < count; i++) {
+    const at = 3 * vertexOf(shape, i);
+    lowest = Math.min(lowest, x! * positions[at]! + y! * positions[at + 1]! + z! * positions[at + 2]! + w!);
+  }
+  return lowest;
+}
+
+/** Null of nothing. */
+export const leastOf = (heights: readonly number[]): number | null =>
+  heights.length > 0 ? Math.min(...heights) : null;
 
 function facetsOf(triangles: Triangles): Facet[] {
   const facets: Facet[] = [];

@@ -6,6 +6,8 @@ import { Matrix4 } from 'three/webgpu';
 import type { SceneMirror } from '../../../scene/mirror.ts';
 import type { Session } from '../../session.ts';
 import type { Entity } from '../../state.ts';
+import { ignoreEnd } from '../../threads/thread.ts';
+import { isSmall, pageMeshes } from '../meshes/meshes.ts';
 import type { Overlay } from '../overlay.ts';
 import type { Pixel } from '../projector.ts';
 import { isInRectangle, type Rectangle, rectangleProjection } from './box-test.ts';
@@ -115,9 +117,19 @@ export class BoxDrag {
     this.#options.redraw();
   }
 
-  #select({ from, to }: Box, { shiftKey, ctrlKey, metaKey }: PointerEvent): void {
-    const { state } = this.#options.session;
+  #select(box: Box, event: PointerEvent): void {
+    const { from, to } = box;
+    const { shiftKey, ctrlKey, metaKey } = event;
+    const { state, store } = this.#options.session;
     const found = this.#within(from, to);
+    if (found instanceof Promise) {
+      const { objects, camera } = store.document;
+      void found.then(() => {
+        // What the box was drawn around is no longer there.
+        if (store.document.objects === objects && store.document.camera === camera) this.#select(box, event);
+      }, ignoreEnd);
+      return;
+    }
     const isFound = (entity: Entity) =>
       found.some(({ kind, id }) => kind === entity.kind && id === entity.id);
     const { selected } = state.value;
@@ -126,7 +138,8 @@ export class BoxDrag {
     else state.selectAll(shiftKey ? [...others, ...found] : found);
   }
 
-  #within(from: Pixel, to: Pixel): Entity[] {
+  /** A promise of when to ask again, while the tree of a large mesh is not there. */
+  #within(from: Pixel, to: Pixel): Entity[] | Promise<void> {
     const { canvas, mirror, session, overlay } = this.#options;
     const { clientWidth: width, clientHeight: height } = canvas;
     const [left, right] = [Math.min(from.x, to.x), Math.max(from.x, to.x)];
@@ -143,18 +156,22 @@ export class BoxDrag {
       new Matrix4().multiplyMatrices(camera.projectionMatrix, camera.matrixWorldInverse),
       rectangle,
     );
+    let waiting: Promise<void> | null = null;
     const objects = Object.entries(session.store.document.objects).flatMap(([id, { locked }]): Entity[] => {
       const mesh = locked ? undefined : mirror.objectFor(id);
-      const positions = mesh?.geometry.getAttribute('position');
-      if (!mesh?.visible || !positions) return [];
+      if (!mesh?.visible) return [];
       mesh.updateWorldMatrix(true, false);
-      const inside = isInRectangle(
-        { positions: positions.array, index: mesh.geometry.index?.array ?? null },
-        toRectangle.clone().multiply(mesh.matrixWorld),
-        to.x < from.x,
-      );
+      const { geometry } = mesh;
+      const tree = isSmall(geometry) ? null : pageMeshes.tree(geometry);
+      if (tree instanceof Promise) {
+        waiting = tree;
+        return [];
+      }
+      const own = toRectangle.clone().multiply(mesh.matrixWorld);
+      const inside = isInRectangle(pageMeshes.shape(geometry), own, to.x < from.x, tree);
       return inside ? [{ kind: 'objects', id }] : [];
     });
+    if (waiting) return waiting;
     const lights = overlay.lights
       .filter(({ x, y }) => x >= left && x <= right && y >= top && y <= bottom)
       .map(({ id }): Entity => ({ kind: 'lights', id }));

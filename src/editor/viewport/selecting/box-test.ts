@@ -1,5 +1,7 @@
 /** Whether a mesh is within a rectangle of the picture, or touches it. */
 import { Matrix4 } from 'three/webgpu';
+import type { MeshTree } from '../meshes/mesh-tree.ts';
+import { type Shape, vertexOf } from '../meshes/shape.ts';
 
 /** In normalised device coordinates: -1..1, y up. */
 export interface Rectangle {
@@ -37,48 +39,68 @@ export function rectangleProjection(
     .multiply(viewProjection);
 }
 
-export interface Triangles {
-  /** xyz of each vertex. */
-  readonly positions: ArrayLike<number>;
-  /** Three vertices for each triangle; null if they follow one another. */
-  readonly index: ArrayLike<number> | null;
-}
-
 /** x, y, w of a corner. */
 type Corner = readonly [x: number, y: number, w: number];
 
 /**
  * @param toRectangle from the mesh's own space
  * @param touching whether a part is enough; else all of it must be within
+ * @param tree of the same triangles: what is wholly inside or outside need then not be looked at
  */
 export function isInRectangle(
-  { positions, index }: Triangles,
+  shape: Shape,
   toRectangle: Matrix4,
   touching: boolean,
+  tree: MeshTree | null = null,
 ): boolean {
+  const { positions, index } = shape;
   const e = toRectangle.elements;
-  const corner = (i: number): Corner => {
-    const [x, y, z] = [
-      positions[3 * i] as number,
-      positions[3 * i + 1] as number,
-      positions[3 * i + 2] as number,
-    ];
+  const project = (x: number, y: number, z: number): Corner => {
     const row = (r: number) => e[r]! * x + e[r + 4]! * y + e[r + 8]! * z + e[r + 12]!;
     return [row(0), row(1), row(3)];
   };
-  const count = index?.length ?? positions.length / 3;
-  if (!touching) {
-    for (let i = 0; i < count; i++) {
-      const [x, y, w] = corner(index ? (index[i] as number) : i);
-      if (w <= 0 || Math.abs(x) > w || Math.abs(y) > w) return false;
+  const corner = (i: number): Corner => {
+    const at = 3 * vertexOf(shape, i);
+    return project(positions[at] as number, positions[at + 1] as number, positions[at + 2] as number);
+  };
+  const corners = (triangle: number) => [0, 1, 2].map((k) => corner(3 * triangle + k));
+  /** Of all of it. */
+  const answerOf = (triangle: number) =>
+    touching ? meets(corners(triangle)) : corners(triangle).every(isWithin);
+  if (tree) return isTreeIn(tree, project, touching, answerOf);
+  const count = Math.floor((index?.length ?? positions.length / 3) / 3);
+  for (let triangle = 0; triangle < count; triangle++) if (answerOf(triangle) === touching) return touching;
+  return !touching && count > 0;
+}
+
+const isWithin = ([x, y, w]: Corner): boolean => w > 0 && Math.abs(x) <= w && Math.abs(y) <= w;
+
+/** Looks only into those boxes that the rectangle's edges go through. */
+function isTreeIn(
+  { boxes, first, count, triangles }: MeshTree,
+  project: (x: number, y: number, z: number) => Corner,
+  touching: boolean,
+  answerOf: (triangle: number) => boolean,
+): boolean {
+  const pending = count.length > 0 ? [0] : [];
+  for (let node = pending.pop(); node !== undefined; node = pending.pop()) {
+    const side = (axis: number, far: number) => boxes[6 * (node as number) + axis + 3 * far] as number;
+    const corners = Array.from({ length: 8 }, (_, k) =>
+      project(side(0, k & 1), side(1, (k >> 1) & 1), side(2, k >> 2)),
+    );
+    const isInside = corners.every((corner) => PLANES.every((plane) => plane(corner) >= 0));
+    const isOutside = PLANES.some((plane) => corners.every((corner) => plane(corner) < 0));
+    if (isOutside || isInside) {
+      if (isInside === touching) return touching;
+      continue;
     }
-    return count > 0;
+    const child = first[node] as number;
+    const leaf = count[node] as number;
+    if (leaf === 0) pending.push(child, child + 1);
+    for (let i = child; i < child + leaf; i++)
+      if (answerOf(triangles[i] as number) === touching) return touching;
   }
-  for (let i = 0; i + 2 < count; i += 3) {
-    const triangle = [0, 1, 2].map((k) => corner(index ? (index[i + k] as number) : i + k));
-    if (meets(triangle)) return true;
-  }
-  return false;
+  return !touching && count.length > 0;
 }
 
 /** Positive on the side of a plane that counts: before the eye, and within each edge of the rectangle. */

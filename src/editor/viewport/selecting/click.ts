@@ -2,9 +2,10 @@
 import type { SceneMirror } from '../../../scene/mirror.ts';
 import type { Session } from '../../session.ts';
 import type { Entity } from '../../state.ts';
+import { ignoreEnd } from '../../threads/thread.ts';
 import type { FocusPicking } from '../focus-picking.ts';
 import type { Overlay } from '../overlay.ts';
-import { pickAt } from './picking.ts';
+import { type Picked, plantTrees, rayAt, whenPicked } from './picking.ts';
 
 /** A pointer that moves further than this while it is down drags. */
 export const CLICK_PX = 4;
@@ -33,11 +34,26 @@ export function clickAt(
     return;
   }
   const light = overlay.lightAt(x, y);
-  const found: Entity[] = light === null ? [] : [{ kind: 'lights', id: light }];
+  const use = (picked: readonly Picked[]) => select(session, light, picked, event);
   // What is behind a light's symbol matters only to who asks for it.
-  if (light === null || event.altKey)
-    for (const { id } of pickAt(mirror, u, v))
-      if (!store.document.objects[id]?.locked) found.push({ kind: 'objects', id });
+  if (light !== null && !event.altKey) use([]);
+  else
+    void whenPicked(
+      mirror,
+      rayAt(mirror, u, v),
+      () => [store.document.objects, state.value.selected],
+      use,
+    ).catch(ignoreEnd);
+}
+
+function select(
+  { store, state }: Session,
+  light: string | null,
+  picked: readonly Picked[],
+  event: Click,
+): void {
+  const found: Entity[] = light === null ? [] : [{ kind: 'lights', id: light }];
+  for (const { id } of picked) if (!store.document.objects[id]?.locked) found.push({ kind: 'objects', id });
   const entity = event.altKey ? behind(found, state.value.selection) : found[0];
   if (event.shiftKey || event.ctrlKey || event.metaKey) {
     if (entity) state.toggleSelected(entity);
@@ -65,4 +81,6 @@ export function installClicks(options: ClickOptions, onDoubleClick: () => void):
     clickAt(options, event);
   });
   canvas.addEventListener('dblclick', onDoubleClick);
+  // A hand comes near: by the time it clicks, large meshes have their trees.
+  canvas.addEventListener('pointerenter', () => plantTrees(options.mirror));
 }
