@@ -2,6 +2,7 @@
 
 import type { ImportedModel } from '../../io/gltf/add.ts';
 import { lightByFile } from '../../io/stage.ts';
+import { createDocument } from '../../scene/document.ts';
 import type { MemberRef } from '../../scene/entity.ts';
 import type { Draft } from '../../scene/store.ts';
 import { trustAsset } from '../../scene/validate.ts';
@@ -66,7 +67,7 @@ export async function importFile(
       const wasNew = context.isNew();
       const isFramed = wasNew || Object.keys(store.document.objects).length === 0;
       store.edit(imported.label, (draft) => {
-        if (wasNew) makeRoom(draft, imported);
+        if (wasNew) makeRoom(draft, imported, file.name);
         added = addImported(draft, imported);
         if (onStage) lightByFile(draft, imported);
       });
@@ -82,8 +83,13 @@ export async function importFile(
   }
 }
 
-/** What a new scene begins with is there to be looked at until something comes; lights stay where none come. */
-function makeRoom(draft: Draft, { contents }: ImportedModel): void {
+/**
+ * What a new scene begins with is there to be looked at until something comes; lights stay where none come. A scene that has
+ * no name yet takes the file's, which Save then suggests.
+ */
+function makeRoom(draft: Draft, { contents }: ImportedModel, fileName: string): void {
+  if (draft.name === createDocument().name)
+    draft.name = fileName.replace(/\.[A-Za-z0-9]+$/, '').slice(0, 200);
   draft.objects = {};
   draft.materials = {};
   if (contents.lights.length > 0) draft.lights = {};

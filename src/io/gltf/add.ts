@@ -25,7 +25,7 @@ export interface ImportedModel {
   notes: string[];
 }
 
-/** Puts everything into a draft of a document; returns the new objects and lights. */
+/** Puts everything into a draft of a document; returns the new lights and objects, as they are listed. */
 export function addImported(
   draft: Draft,
   { contents: { objects, lights, groups, camera }, materials, spare, asset, bounds }: ImportedModel,
@@ -49,6 +49,12 @@ export function addImported(
     groupIds.push(id);
   }
   const refs: MemberRef[] = [];
+  const takeLight = free('lights');
+  for (const { light, group } of lights) {
+    const { id, name } = takeLight(light.name);
+    draft.lights[id] = { ...structuredClone(light), name, group: groupAt(group) };
+    refs.push({ kind: 'lights', id });
+  }
   const takeObject = free('objects');
   for (const { object, node, primitive, material, group } of objects) {
     const { id, name } = takeObject(object.name);
@@ -60,12 +66,6 @@ export function addImported(
       geometry: { type: 'gltf', asset: assetId, node, primitive },
     };
     refs.push({ kind: 'objects', id });
-  }
-  const takeLight = free('lights');
-  for (const { light, group } of lights) {
-    const { id, name } = takeLight(light.name);
-    draft.lights[id] = { ...structuredClone(light), name, group: groupAt(group) };
-    refs.push({ kind: 'lights', id });
   }
   // The view of a scene that somebody works on is theirs; an empty scene takes the file's, or sees all of it.
   if (wasEmpty) draft.camera = camera ?? (bounds ? framed(draft.camera, bounds) : draft.camera);

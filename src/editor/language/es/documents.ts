@@ -138,8 +138,11 @@ export const documents: Catalogue = {
   Pixels: 'Píxeles',
   'EXR has the linear radiance before exposure and tone mapping':
     'EXR tiene la radiancia lineal antes de la exposición y del mapeo de tonos',
-  'A film of so many pixels does not fit into a page’s memory; `irradia render --size` has no such bound.':
-    'Una película de tantos píxeles no cabe en la memoria de una página; `irradia render --size` no tiene ese límite.',
+  '{count} megapixels: a path traced picture of more than {most} does not fit into a page’s memory. `irradia render --size {width}x{height}` makes it.':
+    '{count} megapíxeles: una imagen por trazado de caminos de más de {most} no cabe en la memoria de una página. La hace `irradia render --size {width}x{height}`.',
+  '{count} megapixels; path traced, a page has room for {most}':
+    '{count} megapíxeles; por trazado de caminos, en una página caben {most}',
+  'Take {width} × {height}': 'Usar {width} × {height}',
   '{count} megapixels': '{count} megapíxeles',
   'The picture was not exported': 'La imagen no se ha exportado',
   Drawing: 'Dibujando',

@@ -2,6 +2,7 @@
 import type { Catalogue } from '../catalogue.ts';
 
 export const inspector: Catalogue = {
+  'in {group}': 'en {group}',
   'Fit {name} to {target}': 'Ajustar {name} a {target}',
   'The material is not there any more.': 'El material ya no está.',
   Target: 'Objetivo',

@@ -22,6 +22,15 @@ const SIZES = [
   { value: 'own', label: t('Of your own') },
 ];
 
+/** Rounded down, so that a limit is never said to be more than it is. */
+const megapixels = (pixels: number): string => (Math.floor(pixels / 1e5) / 10).toFixed(1);
+
+/** The largest picture of these proportions that has so many pixels at most. */
+function largestOf(width: number, height: number, pixels: number): { width: number; height: number } {
+  const scale = Math.min(1, Math.sqrt(pixels / (width * height)));
+  return { width: Math.max(1, Math.floor(width * scale)), height: Math.max(1, Math.floor(height * scale)) };
+}
+
 export function openPictureDialog(context: PictureContext): void {
   const { document: scene, renderer } = context;
   const { width, height } = renderer.canvas;
@@ -119,13 +128,35 @@ export function openPictureDialog(context: PictureContext): void {
     heightField.show(request.height);
     samples.show(request.samples);
     samplesRow.hidden = request.source !== 'traced';
-    const tooLarge = request.source === 'traced' && request.width * request.height > MOST_TRACED_PIXELS;
+    const { width: across, height: down } = request;
+    const isTraced = request.source === 'traced';
+    const tooLarge = isTraced && across * down > MOST_TRACED_PIXELS;
     start.disabled = tooLarge;
-    status.textContent = tooLarge
-      ? t(
-          'A film of so many pixels does not fit into a page’s memory; `irradia render --size` has no such bound.',
-        )
-      : t('{count} megapixels', { count: ((request.width * request.height) / 1e6).toFixed(1) });
+    const count = megapixels(across * down);
+    const most = megapixels(MOST_TRACED_PIXELS);
+    status.classList.toggle('fault', tooLarge);
+    status.replaceChildren();
+    if (!tooLarge) {
+      status.textContent = isTraced
+        ? t('{count} megapixels; path traced, a page has room for {most}', { count, most })
+        : t('{count} megapixels', { count });
+      return;
+    }
+    const fitting = largestOf(across, down, MOST_TRACED_PIXELS);
+    const take = h('button', { type: 'button', class: 'text-button' }, t('Take {width} × {height}', fitting));
+    take.addEventListener('click', () => {
+      Object.assign(request, fitting);
+      size.show('own');
+      update();
+      start.focus();
+    });
+    status.append(
+      t(
+        '{count} megapixels: a path traced picture of more than {most} does not fit into a page’s memory. `irradia render --size {width}x{height}` makes it.',
+        { count, most, width: across, height: down },
+      ),
+      take,
+    );
   };
   const run = async () => {
     running = new AbortController();

@@ -13,6 +13,7 @@ import type { Selection } from '../../state.ts';
 import { h } from '../../ui/dom.ts';
 import { textField } from '../../ui/fields.ts';
 import { tryEdit } from './cell.ts';
+import { groupButton } from './group-button.ts';
 import { lightPanel, lightStructure } from './light.ts';
 import { manyPanel, manyStructure } from './many.ts';
 import { materialPanel, materialStructure } from './material.ts';
@@ -32,11 +33,12 @@ export function createInspector(session: Session): HTMLElement {
       });
     }
   });
+  const around = groupButton(session);
   const body = h('div', { class: 'inspector-body' });
   const element = h(
     'aside',
     { class: 'inspector', 'aria-label': t('Inspector') },
-    h('header', { class: 'inspector-header' }, kind, name.element),
+    h('header', { class: 'inspector-header' }, kind, name.element, around.element),
     body,
   );
 
@@ -57,6 +59,7 @@ export function createInspector(session: Session): HTMLElement {
     const several = selected.length > 1;
     name.element.hidden = several;
     element.classList.toggle('several', several);
+    around.update();
     if (several) kind.textContent = translate(describeEntities(document, selected));
     else kind.textContent = selection ? kindName(document, selection) : t('Scene');
     name.show(selection ? (document[selection.kind][selection.id]?.name ?? '') : document.name);

@@ -23,6 +23,7 @@ function titleOf(subject: string): string {
       return t('Lessons');
     case 'view':
       return t('What is seen');
+    case 'tool':
     case 'viewport':
     case 'camera':
     case 'transform':
