@@ -3,19 +3,10 @@ import { describe, expect, it } from 'vitest';
 import { encodeExr } from '../../src/io/exr.ts';
 import { createDocument, serializeDocument } from '../../src/scene/document.ts';
 import { quadGlb } from './glb.ts';
-import { type LabPage, openLab, small } from './lab.ts';
+import { CLAY_BALL, type LabPage, openLab, small } from './lab.ts';
 
 const lab = await openLab();
-const page: LabPage = await (
-  await lab.open(
-    small({
-      camera: { position: [0, 1, 4], target: [0, 0, 0] },
-      lights: { key: { type: 'directional', position: [2, 4, 5] } },
-      materials: { clay: { name: 'Clay', model: 'lambert' } },
-      objects: { ball: { name: 'Ball', material: 'clay', geometry: { type: 'sphere' } } },
-    }),
-  )
-).ready();
+const page: LabPage = await (await lab.open(small(CLAY_BALL))).ready();
 
 const RED = `analytic
 # A red that glows a little at the edge.

@@ -47,6 +47,14 @@ export function small(content: Content = {}, { files, ...options }: LabOptions =
   };
 }
 
+/** For small(): a matt ball in the sun. */
+export const CLAY_BALL = {
+  camera: { position: [0, 1, 4], target: [0, 0, 0] },
+  lights: { key: { type: 'directional', position: [2, 4, 5] } },
+  materials: { clay: { name: 'Clay', model: 'lambert' } },
+  objects: { ball: { name: 'Ball', material: 'clay', geometry: { type: 'sphere' } } },
+};
+
 export interface Lab {
   open(options?: LabOptions): Promise<LabPage>;
 }

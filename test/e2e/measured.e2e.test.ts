@@ -3,10 +3,10 @@ import { describe, expect, it } from 'vitest';
 import { writeCsail } from '../io/csail-writer.ts';
 import { writeMerl } from '../io/merl-writer.ts';
 import { writeRgl } from '../io/rgl-writer.ts';
-import { type LabPage, openLab } from './lab.ts';
+import { CLAY_BALL, type LabPage, openLab, small } from './lab.ts';
 
 const lab = await openLab();
-const page: LabPage = await (await lab.open({ query: '?scene=thesis-demo02' })).ready();
+const page: LabPage = await (await lab.open(small(CLAY_BALL))).ready();
 /** Without the measurements: they are megabytes. */
 const models = () => page.page.evaluate('irradia.store.document.models');
 const materialModel = (id: string) => page.page.evaluate(`irradia.store.document.materials['${id}'].model`);

@@ -19,15 +19,16 @@ export interface EffectsFrames {
 
 export default async function draw({ forceWebGL, documents, size }: EffectsRequest): Promise<EffectsFrames> {
   const renderer = await createRenderer({ forceWebGL });
+  // One for all: what documents have in common is compiled once.
+  const mirror = new SceneMirror({
+    assets: new AssetLoader(pageAssets),
+    onError(message) {
+      throw new Error(message);
+    },
+  });
   const frames: EffectsFrames['frames'] = [];
   for (const json of documents) {
     const document = parseDocument(json, 'page');
-    const mirror = new SceneMirror({
-      assets: new AssetLoader(pageAssets),
-      onError(message) {
-        throw new Error(message);
-      },
-    });
     mirror.apply(document);
     await mirror.settled();
     renderer.cut();
@@ -39,7 +40,7 @@ export default async function draw({ forceWebGL, documents, size }: EffectsReque
     const { pixels } = await renderer.readRadiance();
     const image = await renderer.readImage(document.view);
     frames.push({ radiance: [...pixels], image: [...image], exposure: renderer.exposure(document.view) });
-    mirror.dispose();
   }
+  mirror.dispose();
   return { backend: renderer.backend, frames };
 }

@@ -22,21 +22,22 @@ export default async function screenSpace(request: ScreenSpaceRequest): Promise<
   const { forceWebGL, size, frames } = request;
   const { three } = await createRenderer({ forceWebGL });
   const renderer = new RealtimeRenderer(three, { samples: 1, precision: 'float' });
+  // One for all: what documents have in common is compiled once.
+  const mirror = new SceneMirror({
+    assets: new AssetLoader(pageAssets),
+    onError(message) {
+      throw new Error(message);
+    },
+  });
   const pictures: number[][] = [];
   for (const source of request.documents) {
     const document = parseDocument(source, 'test');
-    const mirror = new SceneMirror({
-      assets: new AssetLoader(pageAssets),
-      onError(message) {
-        throw new Error(message);
-      },
-    });
     mirror.apply(document);
     await mirror.settled();
     renderer.cut();
     for (let i = 0; i < frames; i++) renderer.render(mirror, document, size);
     pictures.push([...(await renderer.readRadiance()).pixels]);
-    mirror.dispose();
   }
+  mirror.dispose();
   return { backend: renderer.backend, pictures };
 }
