@@ -1,6 +1,7 @@
 import * as THREE from 'three/webgpu';
 import { expect, test } from 'vitest';
 import { shippedModels } from '../../models/index.ts';
+import { createQuickEvaluator } from '../../src/analysis/quick-evaluator.ts';
 import { createEvaluator } from '../../src/glsl/evaluator.ts';
 import type { Model } from '../../src/glsl/model.ts';
 import { BrdfMaterial } from '../../src/material/brdf-material.ts';
@@ -17,11 +18,8 @@ const surfaces = await drawSurface(renderer, geometry);
 
 const model = shippedModels.get('cook-torrance') as Model;
 const values = { roughness: 0.25, kd: 0.3, ior: 1.8 };
-const evaluator = createEvaluator(model, values);
-const measured = loadMeasured(
-  writeMerl((L, V) => evaluator.f(L, V)),
-  'gloss.binary',
-);
+const merl = writeMerl(createQuickEvaluator(model, values).term('BRDF'));
+const measured = loadMeasured(merl, 'gloss.binary');
 
 test.each(Object.keys(LIGHT_CASES))(
   'a MERL file lights a sphere like the model it samples: %s',
@@ -48,14 +46,16 @@ test.each(Object.keys(LIGHT_CASES))(
   },
 );
 
-const matte = createEvaluator(shippedModels.get('principled') as Model, { roughness: 0.8, anisotropic: 0.5 });
+const matte = createQuickEvaluator(shippedModels.get('principled') as Model, {
+  roughness: 0.8,
+  anisotropic: 0.5,
+}).term('BRDF');
 /** A file of each format, by the name that tells it. */
 const files: Record<string, () => Uint8Array> = {
-  'gloss.binary': () => writeMerl((L, V) => evaluator.f(L, V)),
-  'isotropic.bsdf': () => writeRgl((L, V) => matte.f(L, V), { thetas: 8, resolution: 24 }),
-  'anisotropic.bsdf': () =>
-    writeRgl((L, V) => matte.f(L, V), { thetas: 4, phis: 5, symmetry: 2, resolution: 12 }),
-  'brushed.dat': () => writeCsail((L, V) => matte.f(L, V), { bins: [10, 10, 24, 12] }),
+  'gloss.binary': () => merl,
+  'isotropic.bsdf': () => writeRgl(matte, { thetas: 8, resolution: 24 }),
+  'anisotropic.bsdf': () => writeRgl(matte, { thetas: 4, phis: 5, symmetry: 2, resolution: 12 }),
+  'brushed.dat': () => writeCsail(matte, { bins: [10, 10, 24, 12] }),
 };
 
 test.each(Object.keys(files))('the GPU’s lookup is the float64 one in every pixel: %s', async (name) => {

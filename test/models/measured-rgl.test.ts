@@ -1,5 +1,6 @@
 import { describe, expect, test } from 'vitest';
 import { shippedModels } from '../../models/index.ts';
+import { createQuickEvaluator } from '../../src/analysis/quick-evaluator.ts';
 import { createRandom } from '../../src/analysis/random.ts';
 import { testSampler } from '../../src/analysis/sampler-test.ts';
 import { direction } from '../../src/analysis/vector.ts';
@@ -9,16 +10,16 @@ import { loadMeasured } from '../../src/scene/measured.ts';
 import { type RglOptions, writeRgl } from '../io/rgl-writer.ts';
 
 /** Known models, written on the adaptive grid of the RGL database and read back. */
-const gloss = createEvaluator(shippedModels.get('cook-torrance') as Model, {
+const gloss = createQuickEvaluator(shippedModels.get('cook-torrance') as Model, {
   roughness: 0.5,
   kd: 0.5,
   ior: 1.8,
-});
-const brushed = createEvaluator(shippedModels.get('principled') as Model, {
+}).term('BRDF');
+const brushed = createQuickEvaluator(shippedModels.get('principled') as Model, {
   roughness: 0.85,
   metallic: 0.6,
   anisotropic: 0.5,
-});
+}).term('BRDF');
 const cases: Record<string, { original: typeof gloss; options: RglOptions; mean: number }> = {
   isotropic: { original: gloss, options: { alpha: [0.6, 0.6], resolution: 64, thetas: 16 }, mean: 0.005 },
   'anisotropic, all azimuths,': {
@@ -45,15 +46,10 @@ function spread(i: number, least: number): Vector3 {
 }
 
 describe.each(Object.entries(cases))('an RGL file, %s', (_, { original, options, mean }) => {
-  const measured = createEvaluator(
-    loadMeasured(
-      writeRgl((L, V) => original.f(L, V), options),
-      'somewhere/red gloss.bsdf',
-    ),
-  );
+  const measured = createEvaluator(loadMeasured(writeRgl(original, options), 'somewhere/red gloss.bsdf'));
   const difference = (L: Vector3, V: Vector3) => {
     const read = measured.f(L, V);
-    return Math.max(...original.f(L, V).map((x, c) => Math.abs((read[c] as number) / x - 1)));
+    return Math.max(...original(L, V).map((x, c) => Math.abs((read[c] as number) / x - 1)));
   };
 
   test('is the model that was measured within 2 % where it was measured', () => {
@@ -138,11 +134,11 @@ describe.each(Object.entries(cases))('an RGL file, %s', (_, { original, options,
 
 test('a file without the factor D/(4 sigma) is read without', () => {
   const options: RglOptions = { alpha: [0.6, 0.6], resolution: 48, thetas: 6, jacobian: false };
-  const bytes = writeRgl((L, V) => gloss.f(L, V), options);
+  const bytes = writeRgl(gloss, options);
   const measured = createEvaluator(loadMeasured(bytes, 'plain.bsdf'));
   for (let i = 1; i < 300; i++) {
     const [L, V] = [spread(i, 0.5), direction(Math.cos((i % 4) * 0.1 * Math.PI), i) as Vector3];
-    const expected = gloss.f(L, V)[1];
+    const expected = gloss(L, V)[1];
     expect(Math.abs(measured.f(L, V)[1] / expected - 1)).toBeLessThan(0.04);
   }
 });

@@ -19,8 +19,13 @@ export function textWithoutSampler(name: string): string {
   return text.replace(/::begin sampling[\s\S]*?::end sampling\n?/, '');
 }
 
+const withoutSamplers = new Map<string, Model>();
+
 export function modelWithoutSampler(name: string): Model {
-  return loadModel(textWithoutSampler(name), `${name}-without-sampler.brdf`);
+  const model =
+    withoutSamplers.get(name) ?? loadModel(textWithoutSampler(name), `${name}-without-sampler.brdf`);
+  withoutSamplers.set(name, model);
+  return model;
 }
 
 /** A material without textures, as its table sees it. */
@@ -33,8 +38,19 @@ export interface GenericSampler {
   seenFrom(v: Vec3): Sampler;
 }
 
-/** @param model without a sampler */
-export async function genericSamplerOf(model: Model, parameters: ParameterValues): Promise<GenericSampler> {
+const samplers = new WeakMap<Model, Map<string, Promise<GenericSampler>>>();
+
+/** One for all tests that ask for these parameters: its table takes far longer than their samples. @param model without a sampler */
+export function genericSamplerOf(model: Model, parameters: ParameterValues): Promise<GenericSampler> {
+  const ofModel = samplers.get(model) ?? new Map<string, Promise<GenericSampler>>();
+  samplers.set(model, ofModel);
+  const key = JSON.stringify(parameters);
+  const sampler = ofModel.get(key) ?? makeSampler(model, parameters);
+  ofModel.set(key, sampler);
+  return sampler;
+}
+
+async function makeSampler(model: Model, parameters: ParameterValues): Promise<GenericSampler> {
   const values = resolveParameters(model.file, parameters);
   const pace = new Pace();
   const table = await tabulate({ model, places: placesWith(values), isTextured: false }, pace);
@@ -42,12 +58,15 @@ export async function genericSamplerOf(model: Model, parameters: ParameterValues
   return samplerOfTable(model, table, values);
 }
 
+const kernels = new WeakMap<Model, ReturnType<typeof genericTableKernel>>();
+
 export function samplerOfTable(
   model: Model,
   table: Uint32Array<ArrayBuffer>,
   values: ParameterValues,
 ): GenericSampler {
-  const kernel = genericTableKernel(model);
+  const kernel = kernels.get(model) ?? genericTableKernel(model);
+  kernels.set(model, kernel);
   // A table's slot is never 0.
   const scene = new Uint32Array(WORDS_PER_SLOT + table.length);
   scene.set(table, WORDS_PER_SLOT);
