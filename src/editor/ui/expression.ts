@@ -65,6 +65,6 @@ export function formatNumber(value: number): string {
   }
   // Within a thousandth of the value.
   const decimals =
-    magnitude >= 1000 ? 1 : magnitude >= 100 ? 2 : magnitude >= 1 ? 3 : magnitude >= 0.1 ? 4 : 5;
+    magnitude >= 1000 ? 1 : magnitude >= 10 ? 2 : magnitude >= 1 ? 3 : magnitude >= 0.1 ? 4 : 5;
   return String(Number(value.toFixed(decimals)));
 }
