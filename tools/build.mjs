@@ -4,7 +4,8 @@
  * Each part is built beside its place and then moved into it, so that a page being served or a test
  * being run never sees half a build.
  */
-import { execFileSync } from 'node:child_process';
+import { spawn } from 'node:child_process';
+import { once } from 'node:events';
 import { existsSync, readdirSync, renameSync, rmSync, statSync, utimesSync, writeFileSync } from 'node:fs';
 import { dirname, join } from 'node:path';
 import { fileURLToPath, pathToFileURL } from 'node:url';
@@ -18,7 +19,17 @@ const parts = {
 };
 
 /** What the builds are made of; a change in any of it makes them stale. */
-const inputs = ['src', 'models', 'scenes', 'package-lock.json', ...Object.values(parts).map((p) => p.config)];
+const inputs = [
+  ...['src', 'models', 'scenes', 'lessons', 'package-lock.json', 'tools/build.mjs'],
+  ...[
+    'vite.shared.config.ts',
+    'vite.licences.config.ts',
+    'tsconfig.base.json',
+    'tsconfig.json',
+    'tsconfig.lib.json',
+  ],
+  ...Object.values(parts).map((part) => part.config),
+];
 
 const stamp = (name) => join(root, 'dist', name, '.built');
 
@@ -26,7 +37,8 @@ function newest(path) {
   if (!existsSync(path)) return 0;
   const stat = statSync(path);
   if (!stat.isDirectory()) return stat.mtimeMs;
-  return readdirSync(path).reduce((time, name) => Math.max(time, newest(join(path, name))), 0);
+  // A folder's own time tells of what was deleted in it.
+  return readdirSync(path).reduce((time, name) => Math.max(time, newest(join(path, name))), stat.mtimeMs);
 }
 
 export function isStale(name) {
@@ -49,7 +61,10 @@ async function buildPart(name) {
   if (name === 'lib') {
     const tsc = join(dirname(fileURLToPath(import.meta.resolve('typescript/package.json'))), 'bin/tsc');
     const options = ['-p', join(root, 'tsconfig.lib.json'), '--outDir', join(fresh, 'types')];
-    execFileSync(process.execPath, [tsc, ...options], { stdio: 'inherit' });
+    // Threads would each work out the types of three.js.
+    const child = spawn(process.execPath, [tsc, ...options, '--singleThreaded'], { stdio: 'inherit' });
+    const [code] = await once(child, 'close');
+    if (code !== 0) throw new Error('lib: tsc made no type declarations; see above');
   }
   writeFileSync(join(fresh, '.built'), '');
   // Sources that changed while they were being built count as newer than the build.
@@ -61,9 +76,7 @@ async function buildPart(name) {
 }
 
 export async function buildAll(names, { ifStale = false } = {}) {
-  for (const name of names) {
-    if (!ifStale || isStale(name)) await buildPart(name);
-  }
+  await Promise.all(names.filter((name) => !ifStale || isStale(name)).map(buildPart));
 }
 
 if (process.argv[1] && import.meta.url === pathToFileURL(process.argv[1]).href) {
