@@ -32,8 +32,12 @@ interface Assignable {
 }
 
 /** Samples on a rectangle, and directions drawn from the model. */
-const RECTANGLE_POINTS = 48;
-const RECTANGLE_DIRECTIONS = 32;
+const RECTANGLE_POINTS = 26;
+const RECTANGLE_DIRECTIONS = 48;
+/** By how much less than their density directions weigh: the rectangle's edge cuts through them, not through the points. */
+const DIRECTIONS_TRUST = 0.5;
+/** Half the side of the least square that a direction stands for, in parts of the rectangle: below it float32 has no digits. */
+const LEAST_SQUARE = 1e-3;
 
 export interface LightingOptions {
   readonly model: Model;
@@ -133,8 +137,8 @@ export class BrdfLightingModel extends LightingModel {
   /**
    * A rectangle, by multiple importance sampling: points on it and directions drawn from the model, weighted
    * by the power heuristic with exponent 2 (E. Veach, 1997, section 9.2). The points serve rough surfaces, the
-   * directions smooth ones. The balance heuristic errs six times as much where the surface is matte: it lets
-   * the few directions that happen to hit the rectangle count for a tenth of the light.
+   * directions smooth ones. Each direction stands for a square of the rectangle's plane, as large as its density says, and
+   * counts by the part of it that the rectangle covers (docs/decisions/wide-lights.md).
    */
   override directRectArea(data: Parameters<LightingModel['directRectArea']>[0], builder: NodeBuilder): void {
     const { lightColor, lightPosition, halfWidth, halfHeight, lightNode, reflectedLight } =
@@ -155,6 +159,7 @@ export class BrdfLightingModel extends LightingModel {
     const center = lightPosition.sub(positionView as Vec3).toVar() as Vec3;
     const side = cross(halfWidth, halfHeight).toVar() as unknown as Vec3;
     const quarterArea = side.length().toVar();
+    const [width2, height2] = [dot(halfWidth, halfWidth).toVar(), dot(halfHeight, halfHeight).toVar()];
     // It shines along its -z axis.
     const facing = side.div(quarterArea).negate().toVar() as Vec3;
     const sum = vec3(0).toVar();
@@ -186,7 +191,7 @@ export class BrdfLightingModel extends LightingModel {
       const cosine = dot(N, L).toVar();
       If(cosine.greaterThan(0).and(cosineAtLight.greaterThan(1e-6)), () => {
         const lightDensity = distance2.div(cosineAtLight.mul(quarterArea).mul(4));
-        const other = pdf(L, V, N, X, Y).mul(directions) as Float;
+        const other = pdf(L, V, N, X, Y).mul(directions * DIRECTIONS_TRUST) as Float;
         const place = vec2(u.x, u.y).mul(2).sub(1) as unknown as Node<'vec2'>;
         add(L, cosine, lightDensity.mul(points) as Float, other, seen(place, i, 2 / Math.sqrt(points)));
       });
@@ -198,20 +203,21 @@ export class BrdfLightingModel extends LightingModel {
       const cosineAtLight = dot(facing, L).negate().toVar();
       If(cosine.greaterThan(0).and(cosineAtLight.greaterThan(1e-6)), () => {
         const t = dot(center, facing).negate().div(cosineAtLight).toVar();
-        const hit = L.mul(t).sub(center).toVar() as Vec3;
-        const inside = dot(hit, halfWidth)
-          .abs()
-          .lessThan(dot(halfWidth, halfWidth))
-          .and(dot(hit, halfHeight).abs().lessThan(dot(halfHeight, halfHeight)));
-        If(t.greaterThan(0).and(inside), () => {
-          const lightDensity = t.mul(t).div(cosineAtLight.mul(quarterArea).mul(4));
+        If(t.greaterThan(0), () => {
           const density = pdf(L, V, N, X, Y).mul(directions).toVar() as Float;
           If(density.greaterThan(0), () => {
-            const place = vec2(
-              dot(hit, halfWidth).div(dot(halfWidth, halfWidth)),
-              dot(hit, halfHeight).div(dot(halfHeight, halfHeight)),
-            ) as unknown as Node<'vec2'>;
-            add(L, cosine, density, lightDensity.mul(points) as Float, seen(place, i, 0));
+            const hit = L.mul(t).sub(center).toVar() as Vec3;
+            const place = vec2(dot(hit, halfWidth).div(width2), dot(hit, halfHeight).div(height2)).toVar();
+            const area = t.mul(t).div(cosineAtLight).toVar();
+            const half = area.div(density).sqrt().div(2);
+            const square = vec2(half.div(width2.sqrt()), half.div(height2.sqrt())).max(LEAST_SQUARE).toVar();
+            const covered = place.add(square).min(1).sub(place.sub(square).max(-1)).max(0).div(square.mul(2));
+            const part = covered.x.mul(covered.y).toVar() as Float;
+            If(part.greaterThan(0), () => {
+              const other = area.div(quarterArea.mul(4)).mul(points / DIRECTIONS_TRUST) as Float;
+              const visible = seen(place as unknown as Node<'vec2'>, i, 0);
+              add(L, cosine, density, other, visible === null ? part : (part.mul(visible) as Float));
+            });
           });
         });
       });
