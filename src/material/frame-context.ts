@@ -13,6 +13,12 @@ export interface OpenSky {
   readonly visibility: Float;
   /** The mean open direction, a unit vector in view space. */
   readonly direction: Vec3;
+  /**
+   * What is closed in the plane of view and normal, on the side of the mirror direction: the parts of a half circle's angles,
+   * and the means over it of what is closed times its angle from the mirror direction, in radians, and times its square.
+   * To be called at the top level, as openSky() is.
+   */
+  readonly mirrored: () => Vec3;
   /** 1 where light that bounces in what is closed is to be counted, by the material's albedo; else 0. */
   readonly bounces: Float;
 }

@@ -4,6 +4,7 @@ import type { Node } from 'three/webgpu';
 import { AlbedoNode } from './albedo-table.ts';
 import type { EnvironmentLightNode } from './environment-light.ts';
 import type { FrameContext, OpenSky } from './frame-context.ts';
+import { openTowards } from './open-towards.ts';
 import { latticePoint, type Sampler } from './sampler.ts';
 import type { ShadingFrame } from './shading-frame.ts';
 import { repeat } from './statements.ts';
@@ -32,9 +33,6 @@ const SHARP = 1.2;
 export function sharpness(density: Float): Float {
   return smoothstep(WIDE, SHARP, density) as unknown as Float;
 }
-
-/** The cosine over which the rim of the open cone is soft. */
-const RIM = 0.15;
 
 export interface Reflector {
   readonly frame: ShadingFrame;
@@ -67,6 +65,7 @@ export function lightFromEverywhere(
   if (albedo && !environment && !open) return albedo.mul(traced.add(ambient ?? vec3(0)).max(0)) as Vec3;
 
   const samples = environment || !hasTable ? environmentSamples : float(AMBIENT_SAMPLES);
+  const isOpen = open && !tracedLight?.reflections ? openTowards(open, frame) : null;
   sampler.start(V, N, X, Y);
   // Of wide lobes and of highlights; without anything in the way all is in the first.
   const [wide, sharp, weights] = [vec3(0).toVar(), vec3(0).toVar(), vec3(0).toVar()] as [Vec3, Vec3, Vec3];
@@ -92,11 +91,11 @@ export function lightFromEverywhere(
         const part = sharpness(density).toVar() as Float;
         add(wide, incident.mul(part.oneMinus()) as Vec3);
         const highlight = incident.mul(part).toVar() as Vec3;
-        if (tracedLight?.reflections) {
+        if (!isOpen) {
           add(sharp, highlight);
           return;
         }
-        const towards = openTowards(open, L).toVar() as Float;
+        const towards = isOpen(L).toVar() as Float;
         add(sharp, highlight.mul(towards) as Vec3);
         add(closed, highlight.mul(towards.oneMinus()) as Vec3);
       });
@@ -135,13 +134,4 @@ function reaching({ visibility, bounces }: OpenSky, reflectance: Vec3): Vec3 {
   const v = vec3(visibility);
   const tinted = v.mul(a).add(b).mul(v).add(c).mul(v).max(v).min(1);
   return v.add(tinted.sub(v).mul(bounces)) as Vec3;
-}
-
-/**
- * Whether a direction is open: in the cone about the mean open direction that lets as much of a cosine-weighted hemisphere
- * through, sin^2 of its half angle (ibid., section 6). Nothing is in the way of what is all open.
- */
-function openTowards({ visibility, direction }: OpenSky, L: Vec3): Float {
-  const rim = visibility.oneMinus().max(0).sqrt();
-  return smoothstep(rim.sub(RIM), rim, dot(L, direction)) as unknown as Float;
 }

@@ -1,39 +1,24 @@
 /**
- * How much light from far away reaches a surface, from what the picture shows about it. Ground-truth ambient occlusion (J.
- * Jimenez, X. Wu, A. Pesce and A. Jarabo, 2016, "Practical Real-Time Strategies for Accurate Indirect Occlusion", SIGGRAPH
- * course): the hemisphere in slices through the view ray. What each slice has open is kept in bits, so that light passes
- * behind things of a thickness (O. Therrien, Y. Levesque and G. Gilet, 2023, "Screen Space Indirect Lighting with
- * Visibility Bitmask", The Visual Computer).
+ * How much light from far away reaches a surface, and from where, from what the picture shows about it: visibility() averaged over
+ * neighbours, for materials to read.
  */
-import { atan, float, If, select, uint, uniform, uv, vec2, vec3, vec4 } from 'three/tsl';
-import type { Node, UniformNode, WebGPURenderer } from 'three/webgpu';
+import { float, select, uniform, uv, vec2, vec3, vec4 } from 'three/tsl';
+import type { Node, WebGPURenderer } from 'three/webgpu';
 import type { FrameContext } from '../../material/frame-context.ts';
 import { repeat } from '../../material/statements.ts';
 import type { Effect, EffectDefinition, EffectSettings } from '../frame/effect.ts';
 import type { FrameInputs } from '../frame/inputs.ts';
-import { Pass } from '../frame/pass.ts';
-import { type Guide, inline, NOTHING, releaseGuide, takeGuide, texelAt } from './screen-space/guide.ts';
-import { gradientNoise, latticeNoise } from './screen-space/noise.ts';
+import { type Guide, inline, releaseGuide, takeGuide, texelAt } from './screen-space/guide.ts';
 import { fromOctahedron, toOctahedron } from './screen-space/octahedron.ts';
 import { atFragment } from './screen-space/upsample.ts';
+import { visibility, type Write } from './screen-space/visibility.ts';
+import { PairPass, pairOf } from './traced-light/pair-pass.ts';
 
 type Float = Node<'float'>;
 type Vec2 = Node<'vec2'>;
 type Vec3 = Node<'vec3'>;
 type Vec4 = Node<'vec4'>;
-type Uint = Node<'uint'>;
 
-/** Of a slice: one for each bit. */
-const SECTORS = 32;
-/** The last part of the radius, over which what is found counts less and less. */
-const FADE = 0.25;
-/**
- * How far above its surface a point is taken to be, as a part of its distance: normals are half floats, so a plane's own points
- * may seem 5e-4 of their distance from each other above it.
- */
-const LIFT = 1e-3;
-/** Of the normal in a slice: where it is shorter, the slice hardly counts. */
-const LEAST_LENGTH = 0.05;
 /** Pixels each way that are averaged. */
 const FILTER = 2;
 /** How far from the pixel's plane a neighbour may be, as a part of its distance. */
@@ -50,22 +35,26 @@ class AmbientOcclusion implements Effect {
     steps: uniform(6),
     bounces: uniform(1),
   };
-  readonly #raw: Pass;
-  readonly #filtered: Pass;
+  readonly #raw: PairPass;
+  readonly #filtered: PairPass;
 
   constructor(inputs: FrameInputs, scale: number) {
     this.#inputs = inputs;
     this.#guide = takeGuide(inputs, scale);
-    this.#raw = new Pass('ambient occlusion', visibility(this.#guide, this.#numbers));
-    this.#filtered = new Pass('ambient occlusion, filtered', filtered(this.#guide, this.#raw));
+    this.#raw = new PairPass('ambient occlusion', (write) => visibility(this.#guide, this.#numbers, write));
+    this.#filtered = new PairPass('ambient occlusion, filtered', (write) =>
+      filtered(this.#guide, this.#raw, write),
+    );
     this.context = {
       openSky: () => {
-        const found = atFragment(this.#guide, this.#filtered.target.texture, (texel) =>
+        const { wide, sharp } = pairOf(this.#filtered.target);
+        const found = atFragment(this.#guide, wide, (texel) =>
           vec4(texel.x, fromOctahedron(texel.yz as Vec2)),
         );
         return {
           visibility: found.x as Float,
           direction: found.yzw.normalize() as Vec3,
+          mirrored: () => atFragment(this.#guide, sharp, (texel) => texel).xyz as Vec3,
           bounces: this.#numbers.bounces,
         };
       },
@@ -95,131 +84,9 @@ class AmbientOcclusion implements Effect {
   }
 }
 
-type Numbers = Readonly<
-  Record<'radius' | 'thickness' | 'directions' | 'steps', UniformNode<'float', number>>
->;
-
-/** Visibility, the mean open direction, distance. */
-function visibility(guide: Guide, numbers: Numbers): Vec4 {
-  const { radius, thickness, directions, steps } = numbers;
-  return inline(() => {
-    const place = uv() as Vec2;
-    const own = guide.sample(place).toVar() as Vec4;
-    const result = vec4(1, 0, 0, own.w).toVar() as Vec4;
-    If(own.w.lessThan(NOTHING), () => {
-      const centre = guide.texel(place).toVar() as Vec2;
-      const N = own.xyz.normalize().toVar() as Vec3;
-      const P = guide
-        .position(centre, own.w as Float)
-        .add(N.mul(own.w.mul(LIFT)))
-        .toVar() as Vec3;
-      const V = P.normalize().negate().toVar() as Vec3;
-      const pixel = centre.mul(guide.size).floor().toVar() as Vec2;
-      const turn = gradientNoise(pixel).toVar() as Float;
-      const shift = latticeNoise(pixel).toVar() as Float;
-      const scale = guide
-        .perMetre(own.w as Float)
-        .mul(radius)
-        .toVar() as Vec2;
-      const [all, open, bent] = [float(0).toVar(), float(0).toVar(), vec3(0).toVar()];
-      repeat(directions as unknown as Float, (i) => {
-        const phi = i.add(turn).div(directions).mul(Math.PI).toVar();
-        const across = vec3(phi.cos(), phi.sin(), 0).toVar() as Vec3;
-        // Where the radius ends on the screen, in parts of it.
-        const reach = scale.mul(across.xy).toVar() as Vec2;
-        const axis = across.cross(V).normalize().toVar() as unknown as Vec3;
-        const O = V.cross(axis).toVar() as unknown as Vec3;
-        const projected = N.sub(axis.mul(N.dot(axis))).toVar() as Vec3;
-        const length = projected.length().max(1e-6).toVar() as Float;
-        // From the view ray to the normal, in the slice.
-        const n = projected
-          .dot(V)
-          .div(length)
-          .clamp(-1, 1)
-          .acos()
-          .mul(select(projected.dot(O).lessThan(0), float(-1), float(1)))
-          .toVar() as Float;
-        const T = O.mul(n.cos()).sub(V.mul(n.sin())).toVar() as Vec3;
-        const closed = uint(0).toVar() as Uint;
-        for (const side of [1, -1]) {
-          const way = reach.mul(side).toVar() as Vec2;
-          /**
-           * The angle from the normal to a point, in the slice; what is below the horizon is at it. A texel's centre is beside the
-           * slice: by its height over the surface's plane it is where it would be in it, so a plane has nothing above itself.
-           */
-          const fromNormal = (d: Vec3): Float => {
-            const height = d.dot(N).div(length.max(LEAST_LENGTH)).toVar() as Float;
-            const angle = atan(d.dot(T), height.max(1e-9)) as unknown as Float;
-            return select(height.greaterThan(0), angle, float((side * Math.PI) / 2)) as unknown as Float;
-          };
-          const room = select(
-            way.greaterThan(vec2(0)) as never,
-            centre.oneMinus(),
-            centre,
-          ) as unknown as Vec2;
-          const exits = room.div(way.abs().max(1e-9)) as Vec2;
-          const end = way.mul(exits.x.min(exits.y).min(1)).toVar() as Vec2;
-          const pixels = end.mul(guide.size).length().toVar() as Float;
-          repeat(steps as unknown as Float, (j) => {
-            const t = j.add(shift).div(steps) as Float;
-            // At least one pixel further each time.
-            const part = t
-              .mul(t)
-              .max(j.add(1).div(pixels.max(1e-3)))
-              .toVar() as Float;
-            If(part.lessThanEqual(1), () => {
-              const at = centre.add(end.mul(part)).toVar() as Vec2;
-              const S = guide.position(at, guide.sample(at).w as Float).toVar() as Vec3;
-              const front = S.sub(P).toVar() as Vec3;
-              const distance = front.length().max(1e-9).toVar() as Float;
-              const strength = radius.sub(distance).div(radius.mul(FADE)).clamp(0, 1).toVar() as Float;
-              If(strength.greaterThan(0), () => {
-                const back = front.add(S.normalize().mul(thickness)).toVar() as Vec3;
-                const sectorOf = (beta: Float) =>
-                  beta.div(Math.PI).add(0.5).mul(SECTORS).add(shift).floor().min(SECTORS) as Float;
-                const first = fromNormal(front).toVar() as Float;
-                const last = fromNormal(back) as Float;
-                const a = sectorOf(first).toVar() as Float;
-                const b = sectorOf(first.add(last.sub(first).mul(strength)) as Float).toVar() as Float;
-                const low = a
-                  .min(b)
-                  .min(SECTORS - 1)
-                  .toUint() as Uint;
-                const count = a.sub(b).abs().toVar() as Float;
-                // A shift by all 32 bits is not defined.
-                const run = select(
-                  count.greaterThanEqual(SECTORS),
-                  uint(0xffffffff),
-                  uint(1)
-                    .shiftLeft(count.min(SECTORS - 1).toUint())
-                    .sub(uint(1)),
-                ) as unknown as Uint;
-                closed.assign(closed.bitOr(run.shiftLeft(low)) as Uint);
-              });
-            });
-          });
-        }
-        repeat(SECTORS, (k) => {
-          const beta = k.add(0.5).div(SECTORS).sub(0.5).mul(Math.PI).toVar() as Float;
-          const theta = beta.add(n).toVar() as Float;
-          const sine = theta.sin().toVar() as Float;
-          const weight = length.mul(beta.cos()).mul(sine.abs()).toVar() as Float;
-          all.addAssign(weight);
-          If(closed.shiftRight(k.toUint()).bitAnd(uint(1)).equal(uint(0)), () => {
-            open.addAssign(weight);
-            bent.addAssign(V.mul(theta.cos()).add(O.mul(sine)).mul(weight));
-          });
-        });
-      });
-      const direction = select(open.greaterThan(all.mul(1e-3)), bent, N) as unknown as Vec3;
-      result.assign(vec4(open.div(all.max(1e-9)), toOctahedron(direction), own.w));
-    });
-    return result;
-  });
-}
-
 /** The mean over neighbours on the same plane. */
-function filtered(guide: Guide, raw: Pass): Vec4 {
+function filtered(guide: Guide, raw: PairPass, write: Write): Vec4 {
+  const { wide, sharp } = pairOf(raw.target);
   return inline(() => {
     const place = uv() as Vec2;
     const own = guide.sample(place).toVar() as Vec4;
@@ -227,13 +94,14 @@ function filtered(guide: Guide, raw: Pass): Vec4 {
     const N = own.xyz.toVar() as Vec3;
     const tolerance = own.w.mul(PLANE).toVar() as Float;
     const sum = vec4(0).toVar() as Vec4;
+    const mirrored = vec3(0).toVar() as Vec3;
     const weights = float(0).toVar() as Float;
     const span = 2 * FILTER + 1;
     repeat(span * span, (i) => {
       const offset = vec2(i.mod(span), i.div(span).floor()).sub(FILTER).toVar() as unknown as Vec2;
       const at = place.add(offset.div(guide.size)).toVar() as Vec2;
       const other = guide.sample(at).toVar() as Vec4;
-      const texel = texelAt(raw.target.texture, at).toVar() as Vec4;
+      const texel = texelAt(wide, at).toVar() as Vec4;
       const plane = guide
         .position(at, other.w as Float)
         .sub(P)
@@ -248,15 +116,21 @@ function filtered(guide: Guide, raw: Pass): Vec4 {
         .mul(alike.mul(alike).mul(alike).mul(alike))
         .toVar() as unknown as Float;
       sum.addAssign(vec4(texel.x, fromOctahedron(texel.yz as Vec2)).mul(weight));
+      mirrored.addAssign(texelAt(sharp, at).xyz.mul(weight));
       weights.addAssign(weight);
     });
     const seen = weights.greaterThan(1e-6);
     const mean = sum.div(weights.max(1e-6)).toVar() as Vec4;
-    return select(
+    const result = select(
       seen,
       vec4(mean.x, toOctahedron(mean.yzw as Vec3), own.w),
-      texelAt(raw.target.texture, place),
+      texelAt(wide, place),
     ) as unknown as Vec4;
+    write(
+      result,
+      select(seen, vec4(mirrored.div(weights.max(1e-6)), own.w), texelAt(sharp, place)) as unknown as Vec4,
+    );
+    return result;
   });
 }
 

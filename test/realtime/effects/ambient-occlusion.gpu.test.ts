@@ -38,6 +38,8 @@ const scenes = {
 };
 const plain = material('lambert', { albedo: [0.5, 0.5, 0.5] }, { doubleSided: true });
 const gloss = material('principled', { baseColor: [0.5, 0.5, 0.5], roughness: 0.5 }, { doubleSided: true });
+const metal = (roughness: number) =>
+  material('principled', { baseColor: [0.9, 0.9, 0.9], metallic: 1, roughness }, { doubleSided: true });
 const white = material('lambert', { albedo: [1, 1, 1] }, { doubleSided: true });
 
 /** Nothing is too far away to count, and nothing bounces: what the path tracer's first bounce sees. */
@@ -56,6 +58,8 @@ test.each([
   ['a corner', 'corner', plain, 0.04],
   ['a ball on a floor', 'ball', plain, 0.04],
   ['a glossy ball on a glossy floor', 'ball', gloss, 0.05],
+  ['a mirror ball on a mirror', 'ball', metal(0.1), 0.06],
+  ['a metal ball on metal', 'ball', metal(0.3), 0.06],
   ['Suzanne', 'suzanne', plain, 0.05],
 ] as const)('%s is as dark under an even sky as the path tracer makes it', async (_, key, m, most) => {
   const document = lit(scenes[key], m);
