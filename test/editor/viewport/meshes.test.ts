@@ -26,7 +26,11 @@ import { Meshes, SMALL, triangleCount } from '../../../src/editor/viewport/meshe
 import type { Shape } from '../../../src/editor/viewport/meshes/shape.ts';
 import { meshEdges } from '../../../src/editor/viewport/outline/mesh-edges.ts';
 import { fallOf, worldTriangles } from '../../../src/editor/viewport/placing/fall.ts';
-import { isInRectangle, rectangleProjection } from '../../../src/editor/viewport/selecting/box-test.ts';
+import {
+  isInRectangle,
+  placeOf,
+  rectangleProjection,
+} from '../../../src/editor/viewport/selecting/box-test.ts';
 import { pickAlong, whenPicked } from '../../../src/editor/viewport/selecting/picking.ts';
 import { Pace } from '../../../src/pathtracer/scene/pace.ts';
 import type { SceneMirror } from '../../../src/scene/mirror.ts';
@@ -141,9 +145,13 @@ describe('a tree of triangles', () => {
         new Matrix4().multiplyMatrices(camera.projectionMatrix, camera.matrixWorldInverse),
         { left: x, right: x + size, bottom: y, top: y + size },
       );
+      geometry.computeBoundingBox();
+      const { min, max } = geometry.boundingBox!;
+      const place = placeOf([...min, ...max], 0, projection);
       for (const touching of [false, true]) {
         const expected = isInRectangle(shape, projection, touching);
         expect(isInRectangle(shape, projection, touching, tree)).toBe(expected);
+        if (place !== 'across') expect(place === 'inside').toBe(expected);
         if (expected) yes++;
         else no++;
       }

@@ -21,7 +21,8 @@ export interface PlacedMesh {
 }
 
 export type MeshQuestion =
-  | { readonly kind: 'edges' | 'tree'; readonly mesh: SentMesh }
+  /** The first one is for meshes that something will be asked of. */
+  | { readonly kind: 'mesh' | 'edges' | 'tree'; readonly mesh: SentMesh }
   | {
       readonly kind: 'fall';
       readonly bodies: readonly (PlacedMesh & { readonly middle: number })[];
@@ -31,6 +32,7 @@ export type MeshQuestion =
     };
 
 export type MeshAnswer =
+  | { readonly kind: 'mesh' }
   | { readonly kind: 'edges'; readonly edges: MeshEdges }
   | { readonly kind: 'tree'; readonly tree: MeshTree }
   | { readonly kind: 'fall'; readonly fall: number | null };
@@ -54,6 +56,9 @@ export function meshAnswers(): (question: MeshQuestion) => Promise<Answered<Mesh
       : ground;
   return async (question) => {
     switch (question.kind) {
+      case 'mesh':
+        shapeOf(question.mesh);
+        return { answer: { kind: 'mesh' } };
       case 'edges': {
         const { positions, index } = shapeOf(question.mesh);
         const edges = meshEdges(positions, index);

@@ -94,18 +94,25 @@ export class Meshes {
           : leastOf(under.map(({ geometry, matrixWorld }) => lowestOf(this.shape(geometry), matrixWorld))),
       );
     }
-    const placed = ({ geometry, matrixWorld }: Mesh): PlacedMesh => ({
-      mesh: this.#sent(geometry),
-      matrix: matrixWorld.toArray(),
+    // As they stand now, wherever they are once their triangles have been sent.
+    const matrices = new Map(all.map((mesh) => [mesh, [...mesh.matrixWorld.elements]]));
+    const placed = (mesh: Mesh): PlacedMesh => ({
+      mesh: this.#sent(mesh.geometry),
+      matrix: matrices.get(mesh) ?? [],
     });
-    return this.#thread
-      .ask({
+    const ask = async () => {
+      // One by one: what is sent is copied while the page waits.
+      for (const { geometry } of all)
+        if (!this.#isSent(geometry)) await this.#thread.ask({ kind: 'mesh', mesh: this.#sent(geometry) });
+      const answer = await this.#thread.ask({
         kind: 'fall',
         bodies: bodies.map(({ mesh, middle }) => ({ ...placed(mesh), middle })),
         obstacles: obstacles.map(placed),
         ground: typeof ground === 'object' ? (ground?.map(placed) ?? null) : ground,
-      })
-      .then((answer) => (answer.kind === 'fall' ? answer.fall : null));
+      });
+      return answer.kind === 'fall' ? answer.fall : null;
+    };
+    return ask();
   }
 
   /** Gives up what is under way, which then fails with ThreadEnded. */
@@ -132,12 +139,14 @@ export class Meshes {
     return known;
   }
 
+  #isSent(geometry: BufferGeometry): boolean {
+    return this.#ids.get(geometry)?.life === this.#thread.life;
+  }
+
   #sent(geometry: BufferGeometry): SentMesh {
-    const { life } = this.#thread;
-    const known = this.#ids.get(geometry);
-    if (known?.life === life) return { id: known.id, shape: null };
-    const id = known?.id ?? ++this.#lastId;
-    this.#ids.set(geometry, { id, life });
+    const id = this.#ids.get(geometry)?.id ?? ++this.#lastId;
+    if (this.#isSent(geometry)) return { id, shape: null };
+    this.#ids.set(geometry, { id, life: this.#thread.life });
     return { id, shape: this.shape(geometry) };
   }
 }

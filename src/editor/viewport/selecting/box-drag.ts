@@ -2,7 +2,7 @@
  * A box is drawn over the picture, and what is in it is selected: drawn to the right, what is wholly within it; to the
  * left, what it touches, as in programs for drawing plans.
  */
-import { Matrix4 } from 'three/webgpu';
+import { Box3, type BufferGeometry, Matrix4 } from 'three/webgpu';
 import type { SceneMirror } from '../../../scene/mirror.ts';
 import type { Session } from '../../session.ts';
 import type { Entity } from '../../state.ts';
@@ -10,7 +10,7 @@ import { ignoreEnd } from '../../threads/thread.ts';
 import { isSmall, pageMeshes } from '../meshes/meshes.ts';
 import type { Overlay } from '../overlay.ts';
 import type { Pixel } from '../projector.ts';
-import { isInRectangle, type Rectangle, rectangleProjection } from './box-test.ts';
+import { isInRectangle, type Place, placeOf, type Rectangle, rectangleProjection } from './box-test.ts';
 import { CLICK_PX } from './click.ts';
 
 export interface BoxDragOptions {
@@ -162,12 +162,16 @@ export class BoxDrag {
       if (!mesh?.visible) return [];
       mesh.updateWorldMatrix(true, false);
       const { geometry } = mesh;
+      const own = toRectangle.clone().multiply(mesh.matrixWorld);
+      const known = boundsOf(geometry, own);
+      if (known !== 'across') return known === 'inside' ? [{ kind: 'objects', id }] : [];
+      // Of many that have no tree, one is asked for at a time.
+      if (waiting) return [];
       const tree = isSmall(geometry) ? null : pageMeshes.tree(geometry);
       if (tree instanceof Promise) {
         waiting = tree;
         return [];
       }
-      const own = toRectangle.clone().multiply(mesh.matrixWorld);
       const inside = isInRectangle(pageMeshes.shape(geometry), own, to.x < from.x, tree);
       return inside ? [{ kind: 'objects', id }] : [];
     });
@@ -177,6 +181,13 @@ export class BoxDrag {
       .map(({ id }): Entity => ({ kind: 'lights', id }));
     return [...lights, ...objects];
   }
+}
+
+/** Where the bounds of a mesh are, which may be all that matters. */
+function boundsOf(geometry: BufferGeometry, toRectangle: Matrix4): Place {
+  if (!geometry.boundingBox) geometry.computeBoundingBox();
+  const { min, max } = geometry.boundingBox ?? new Box3();
+  return placeOf([...min.toArray(), ...max.toArray()], 0, toRectangle);
 }
 
 function hasSize({ from, to }: Box): boolean {

@@ -42,6 +42,12 @@ export function rectangleProjection(
 /** x, y, w of a corner. */
 type Corner = readonly [x: number, y: number, w: number];
 
+/** @param e the elements of a matrix */
+function project(e: readonly number[], x: number, y: number, z: number): Corner {
+  const row = (r: number) => e[r]! * x + e[r + 4]! * y + e[r + 8]! * z + e[r + 12]!;
+  return [row(0), row(1), row(3)];
+}
+
 /**
  * @param toRectangle from the mesh's own space
  * @param touching whether a part is enough; else all of it must be within
@@ -54,20 +60,14 @@ export function isInRectangle(
   tree: MeshTree | null = null,
 ): boolean {
   const { positions, index } = shape;
-  const e = toRectangle.elements;
-  const project = (x: number, y: number, z: number): Corner => {
-    const row = (r: number) => e[r]! * x + e[r + 4]! * y + e[r + 8]! * z + e[r + 12]!;
-    return [row(0), row(1), row(3)];
-  };
   const corner = (i: number): Corner => {
     const at = 3 * vertexOf(shape, i);
-    return project(positions[at] as number, positions[at + 1] as number, positions[at + 2] as number);
+    return project(toRectangle.elements, positions[at]!, positions[at + 1]!, positions[at + 2]!);
   };
   const corners = (triangle: number) => [0, 1, 2].map((k) => corner(3 * triangle + k));
-  /** Of all of it. */
   const answerOf = (triangle: number) =>
     touching ? meets(corners(triangle)) : corners(triangle).every(isWithin);
-  if (tree) return isTreeIn(tree, project, touching, answerOf);
+  if (tree) return isTreeIn(tree, toRectangle, touching, answerOf);
   const count = Math.floor((index?.length ?? positions.length / 3) / 3);
   for (let triangle = 0; triangle < count; triangle++) if (answerOf(triangle) === touching) return touching;
   return !touching && count > 0;
@@ -75,23 +75,36 @@ export function isInRectangle(
 
 const isWithin = ([x, y, w]: Corner): boolean => w > 0 && Math.abs(x) <= w && Math.abs(y) <= w;
 
+/** All of it in the picture's rectangle, none of it, or not to be said from a box. */
+export type Place = 'inside' | 'outside' | 'across';
+
+/** Where a box is: minimum and maximum, six numbers from `at` on. An empty one is outside. */
+export function placeOf(boxes: ArrayLike<number>, at: number, toRectangle: Matrix4): Place {
+  if (!(boxes[at]! <= boxes[at + 3]!)) return 'outside';
+  const corners = Array.from({ length: 8 }, (_, k) =>
+    project(
+      toRectangle.elements,
+      boxes[at + 3 * (k & 1)]!,
+      boxes[at + 1 + 3 * ((k >> 1) & 1)]!,
+      boxes[at + 2 + 3 * (k >> 2)]!,
+    ),
+  );
+  if (corners.every((corner) => PLANES.every((plane) => plane(corner) >= 0))) return 'inside';
+  return PLANES.some((plane) => corners.every((corner) => plane(corner) < 0)) ? 'outside' : 'across';
+}
+
 /** Looks only into those boxes that the rectangle's edges go through. */
 function isTreeIn(
   { boxes, first, count, triangles }: MeshTree,
-  project: (x: number, y: number, z: number) => Corner,
+  toRectangle: Matrix4,
   touching: boolean,
   answerOf: (triangle: number) => boolean,
 ): boolean {
   const pending = count.length > 0 ? [0] : [];
   for (let node = pending.pop(); node !== undefined; node = pending.pop()) {
-    const side = (axis: number, far: number) => boxes[6 * (node as number) + axis + 3 * far] as number;
-    const corners = Array.from({ length: 8 }, (_, k) =>
-      project(side(0, k & 1), side(1, (k >> 1) & 1), side(2, k >> 2)),
-    );
-    const isInside = corners.every((corner) => PLANES.every((plane) => plane(corner) >= 0));
-    const isOutside = PLANES.some((plane) => corners.every((corner) => plane(corner) < 0));
-    if (isOutside || isInside) {
-      if (isInside === touching) return touching;
+    const place = placeOf(boxes, 6 * node, toRectangle);
+    if (place !== 'across') {
+      if ((place === 'inside') === touching) return touching;
       continue;
     }
     const child = first[node] as number;

@@ -82,5 +82,5 @@ export function installClicks(options: ClickOptions, onDoubleClick: () => void):
   });
   canvas.addEventListener('dblclick', onDoubleClick);
   // A hand comes near: by the time it clicks, large meshes have their trees.
-  canvas.addEventListener('pointerenter', () => plantTrees(options.mirror));
+  canvas.addEventListener('pointerenter', () => void plantTrees(options.mirror).catch(ignoreEnd));
 }

@@ -46,12 +46,14 @@ function firstOf(mesh: Mesh, raycaster: Raycaster, meshes: Meshes): Vector3 | Pr
   return firstHit(tree, meshes.shape(geometry), local, material.side)?.applyMatrix4(matrixWorld) ?? null;
 }
 
-/** Asks for the trees of all large meshes that can be picked. */
-export function plantTrees(mirror: SceneMirror, meshes: Meshes = pageMeshes): void {
+/** Asks for the trees of all large meshes that can be picked, one after another: their triangles are copied while the page waits. */
+export async function plantTrees(mirror: SceneMirror, meshes: Meshes = pageMeshes): Promise<void> {
+  const large: Mesh[] = [];
   mirror.scene.traverseVisible((object) => {
     if (object instanceof Mesh && !isSmall(object.geometry) && mirror.idFor(object) !== null)
-      void meshes.tree(object.geometry);
+      large.push(object);
   });
+  for (const { geometry } of large) await meshes.tree(geometry);
 }
 
 /** Into the scene, at normalised device coordinates. */
