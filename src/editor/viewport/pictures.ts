@@ -44,12 +44,23 @@ export function pngOf(canvas: HTMLCanvasElement): Promise<Blob> {
   });
 }
 
-/** As much of a canvas as has the shape of this size, in this size. */
-export function middleOf(canvas: HTMLCanvasElement, width: number, height: number): Promise<ImageBitmap> {
-  const scale = Math.max(width / canvas.width, height / canvas.height);
+/** The last frame as the screen shows it. */
+export async function shownPixels({ renderer, session }: Shown): Promise<ImageData> {
+  const { width, height } = renderer.canvas;
+  const pixels = await renderer.readImage(session.store.document.view);
+  return new ImageData(Uint8ClampedArray.from(pixels), width, height);
+}
+
+/** As much of a picture as has the shape of this size, in this size. */
+export function middleOf(
+  picture: HTMLCanvasElement | ImageData,
+  width: number,
+  height: number,
+): Promise<ImageBitmap> {
+  const scale = Math.max(width / picture.width, height / picture.height);
   const [partWidth, partHeight] = [width / scale, height / scale];
-  const [x, y] = [(canvas.width - partWidth) / 2, (canvas.height - partHeight) / 2];
-  return createImageBitmap(canvas, x, y, partWidth, partHeight, {
+  const [x, y] = [(picture.width - partWidth) / 2, (picture.height - partHeight) / 2];
+  return createImageBitmap(picture, x, y, partWidth, partHeight, {
     resizeWidth: width,
     resizeHeight: height,
     resizeQuality: 'high',

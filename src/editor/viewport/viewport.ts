@@ -23,7 +23,7 @@ import { gpuFinished } from './gpu-finish.ts';
 import { Hands } from './hands.ts';
 import { leastFrameTime } from './measure-frame.ts';
 import { MovingResolution } from './moving-resolution.ts';
-import { middleOf, pngOf, readPair, tracedPng } from './pictures.ts';
+import { middleOf, pngOf, readPair, shownPixels, tracedPng } from './pictures.ts';
 import { installPixelReading } from './pixel-reading.ts';
 import { createShowView, type ShowView } from './show.ts';
 import { countScene, type SceneCounts } from './statistics.ts';
@@ -162,19 +162,18 @@ export class Viewport {
 
   /** The picture as it is shown, without the overlay. */
   screenshot(): Promise<Blob> {
-    return pngOf(this.#shownCanvas());
-  }
-
-  /** Its middle, in another size. */
-  smallPicture(width: number, height: number): Promise<ImageBitmap> {
-    return middleOf(this.#shownCanvas(), width, height);
-  }
-
-  /** A canvas of the GPU may be read only in the task that drew it. */
-  #shownCanvas(): HTMLCanvasElement {
     const map = this.#tracingView.differenceCanvas;
+    // A canvas of the GPU may be read only in the task that drew it.
     if (map === null) this.#submit(true);
-    return map ?? this.#options.canvas;
+    return pngOf(map ?? this.#options.canvas);
+  }
+
+  /** Its middle, in another size, without waiting for the GPU: canvases are read at once. */
+  async smallPicture(width: number, height: number): Promise<ImageBitmap> {
+    const map = this.#tracingView.differenceCanvas;
+    if (map !== null) return middleOf(map, width, height);
+    this.#submit(true);
+    return middleOf(await shownPixels(this.#options), width, height);
   }
 
   /** The path traced picture, whatever part of it is shown. */
