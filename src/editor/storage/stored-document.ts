@@ -145,7 +145,7 @@ function withoutText(
 /** Bytes that become text within a few milliseconds; a multiple of 3, so that only the last part is padded. */
 const PART = 3 * 1024 * 1024;
 
-export async function base64Of(blob: Blob): Promise<string> {
+async function base64Of(blob: Blob): Promise<string> {
   const parts: string[] = [];
   for (let at = 0; at < blob.size; at += PART) parts.push(await base64OfPart(blob.slice(at, at + PART)));
   return parts.join('');
