@@ -1,7 +1,7 @@
 import { DATA_WIDTH, FunctionEmitter, hasEffects, powerProduct, swizzle, wholeExponent } from './emit.ts';
 import type { Expr, Variable } from './ir.ts';
 import { children } from './order.ts';
-import { componentCount, type StructType, type Type } from './types.ts';
+import { componentCount, type StructType, scalarOf, type Type } from './types.ts';
 
 const SCALARS = { float: 'f32', int: 'i32', uint: 'u32', bool: 'bool' } as const;
 const RENAMED: Record<string, string> = {
@@ -349,6 +349,14 @@ export class WgslEmitter extends FunctionEmitter {
       case 'uintBitsToFloat':
       case 'intBitsToFloat':
         return `bitcast<${this.typeName(e.type)}>(${a})`;
+      // A comparison instead of WGSL's own, which says what becomes of NaN: on a software GPU that takes three times as long.
+      case 'max':
+      case 'min':
+        if (scalarOf(argType) !== 'float') break;
+        return this.extreme(e.name, type, a, b);
+      case 'clamp':
+        if (scalarOf(argType) !== 'float') break;
+        return this.extreme('min', type, this.extreme('max', type, a, b), c);
       case 'not':
         return `(!${a})`;
       case 'mod':
@@ -369,9 +377,14 @@ export class WgslEmitter extends FunctionEmitter {
         return size === 1 ? `(${a} * ${b})` : `dot(${a}, ${b})`;
       case 'normalize':
         return size === 1 ? `sign(${a})` : `normalize(${a})`;
-      default:
-        return `${RENAMED[e.name] ?? e.name}(${args.join(', ')})`;
     }
+    return `${RENAMED[e.name] ?? e.name}(${args.join(', ')})`;
+  }
+
+  /** The larger or the smaller; y where x is not a number. */
+  private extreme(which: 'max' | 'min', type: string, x: string, y: string): string {
+    const body = `return select(y, x, x ${which === 'max' ? '>' : '<'} y);`;
+    return `${this.helper(which, type, 'x, y', body)}(${x}, ${y})`;
   }
 
   /** A function of ours for one type; its arguments all have that type, and so has its result. */

@@ -1,3 +1,5 @@
+import { hasEffects } from './emit.ts';
+import { evaluateExpression } from './float64.ts';
 import { inlineCalls } from './inline.ts';
 import type { Expr, FunctionIR, Program, Stmt, Variable } from './ir.ts';
 import { functionOf, mapChildren, mapStatement, someNode } from './rewrite.ts';
@@ -16,7 +18,10 @@ export interface Derived {
 export interface SplitFunction {
   /** As the BRDF, without L; computes the shared variables. Its value (1) says nothing. */
   readonly perView: FunctionIR;
-  /** As the BRDF; reads what perView left in the shared variables. */
+  /**
+   * As the BRDF; reads what perView left in the shared variables. Where an early return of the BRDF gives 0, this gives
+   * 0 or something that is not finite: see nonNegative().
+   */
   readonly perLight: FunctionIR;
   /** What both take as further arguments, after the parameters: computed once per material. */
   readonly derived: readonly Derived[];
@@ -82,15 +87,23 @@ class Splitter {
 
   /**
    * `if (test) return c; ... return x;` as `... return test ? c : x;`: a return in the middle costs more on a
-   * GPU (compilers make a loop of it) than the few lanes that would have left early save.
+   * GPU (compilers make a loop of it) than the few lanes that would have left early save. Where c is 0 and this is a
+   * BRDF, as x times 0 or 1, which is cheaper still.
    */
   private withoutEarlyReturns(body: readonly Stmt[]): readonly Stmt[] {
     const last = body.at(-1);
     if (last?.kind !== 'return' || !last.value) return body;
     const early: { test: Expr; value: Expr }[] = [];
+    let kept: Expr | null = null;
     const rest = body.slice(0, -1).flatMap((s): Stmt[] => {
       const value = s.kind === 'if' && !s.no ? returnedConstant(s.yes) : null;
       if (s.kind !== 'if' || !value) return [s];
+      if (this.isBrdf && isZero(value) && !hasEffects(s.test)) {
+        const variable = this.local('kept', FLOAT);
+        const keeps: Expr = { kind: 'variable', place: s.place, type: FLOAT, constant: false, variable };
+        kept = kept ? { ...keeps, kind: 'binary', operator: '*', left: kept, right: keeps } : keeps;
+        return [{ kind: 'declare', place: s.place, variable, init: unless(s.test) }];
+      }
       const variable = this.local('early', s.test.type);
       early.push({
         test: { kind: 'variable', place: s.place, type: variable.type, constant: false, variable },
@@ -98,10 +111,11 @@ class Splitter {
       });
       return [{ kind: 'declare', place: s.place, variable, init: s.test }];
     });
-    if (early.length === 0) return body;
+    if (early.length === 0 && !kept) return body;
     const { place } = last;
     const result = this.local('result', last.value.type);
-    const read: Expr = { kind: 'variable', place, type: result.type, constant: false, variable: result };
+    const whole: Expr = { kind: 'variable', place, type: result.type, constant: false, variable: result };
+    const read: Expr = kept ? { ...whole, kind: 'binary', operator: '*', left: whole, right: kept } : whole;
     const value = early.reduceRight<Expr>(
       (no, { test, value: yes }) => ({
         kind: 'ternary',
@@ -119,6 +133,14 @@ class Splitter {
       { kind: 'declare', place, variable: result, init: last.value },
       { kind: 'return', place, value },
     ];
+  }
+
+  /** Whether this has the signature of BRDF(); a sampler's functions have another. */
+  private get isBrdf(): boolean {
+    const [first] = this.f.arguments;
+    return (
+      componentCount(this.f.result) === 3 && first !== undefined && componentCount(first.variable.type) === 3
+    );
   }
 
   private local(name: string, type: Expr['type']): Variable {
@@ -308,6 +330,50 @@ class Splitter {
 function returnedConstant(s: Stmt): Expr | null {
   if (s.kind === 'block') return s.body.length === 1 ? returnedConstant(s.body[0] as Stmt) : null;
   return s.kind === 'return' && s.value?.constant ? s.value : null;
+}
+
+function isZero(e: Expr): boolean {
+  return [evaluateExpression(e)].flat().every((component) => component === 0);
+}
+
+/** 0 where the test holds, else 1: by step() where it can be, which costs less than a selection. */
+function unless(test: Expr): Expr {
+  const { place } = test;
+  const number = (value: number): Expr => ({ kind: 'literal', place, type: FLOAT, constant: true, value });
+  if (test.kind === 'binary') {
+    const { operator, left, right } = test;
+    const both = (a: Expr, b: Expr): Expr => {
+      const [x, y] = [unless(a), unless(b)];
+      return {
+        kind: 'binary',
+        place,
+        type: FLOAT,
+        constant: x.constant && y.constant,
+        operator: '*',
+        left: x,
+        right: y,
+      };
+    };
+    if (operator === '||') return both(left, right);
+    // min(a, b) < c is a < c || b < c, of which one often does not depend on the light.
+    if (operator === '<' && left.kind === 'builtin' && left.name === 'min' && left.type === FLOAT) {
+      const [a, b] = left.args as [Expr, Expr];
+      return both({ ...test, left: a }, { ...test, left: b });
+    }
+    if ((operator === '<' || operator === '>') && left.type === FLOAT) {
+      const args = operator === '<' ? [right, left] : [left, right];
+      return { kind: 'builtin', place, type: FLOAT, constant: test.constant, name: 'step', args };
+    }
+  }
+  return {
+    kind: 'ternary',
+    place,
+    type: FLOAT,
+    constant: test.constant,
+    test,
+    yes: number(0),
+    no: number(1),
+  };
 }
 
 function isUniform(e: Expr): boolean {

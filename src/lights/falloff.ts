@@ -1,5 +1,6 @@
-import { float, renderGroup, uniform } from 'three/tsl';
+import { renderGroup, uniform } from 'three/tsl';
 import { type Node, type UniformNode, Vector3 } from 'three/webgpu';
+import { glslFunction } from '../glsl/tsl.ts';
 
 /**
  * How a light's irradiance falls with the distance r in metres: as 1/r^2, which is physics, as 1/r, or
@@ -14,6 +15,15 @@ export function falloffAt(r: number, falloff: Falloff, range = 0): number {
   const base = falloff === 'constant' ? 1 : falloff === 'linear' ? 1 / r : 1 / (r * r);
   return base * (range > 0 ? Math.max(0, 1 - (r / range) ** 4) ** 2 : 1);
 }
+
+const windowed = glslFunction(`
+  float windowed(float inverseDistance, vec3 coefficients, float inverseRange4) {
+    float base = (coefficients.z * inverseDistance + coefficients.y) * inverseDistance + coefficients.x;
+    float distance2 = 1.0 / (inverseDistance * inverseDistance);
+    float window = max(1.0 - distance2 * distance2 * inverseRange4, 0.0);
+    return base * window * window;
+  }
+`) as unknown as (inverseDistance: Node, coefficients: Node, inverseRange4: Node) => Node<'float'>;
 
 /**
  * falloffAt() on the GPU, without branches or pow(): a polynomial in 1/r whose coefficients are the
@@ -39,13 +49,6 @@ export class FalloffNodes {
    *   Based Rendering", equation 26, which ends the light at its range without an edge
    */
   at(inverseDistance: Node<'float'>): Node<'float'> {
-    const polynomial = this.coefficients.z
-      .mul(inverseDistance)
-      .add(this.coefficients.y)
-      .mul(inverseDistance)
-      .add(this.coefficients.x);
-    const distance2 = float(1).div(inverseDistance.mul(inverseDistance));
-    const window = distance2.mul(distance2).mul(this.inverseRange4).oneMinus().clamp();
-    return polynomial.mul(window).mul(window);
+    return windowed(inverseDistance, this.coefficients, this.inverseRange4);
   }
 }

@@ -8,6 +8,9 @@ import {
   SpotLightNode,
   type UniformNode,
 } from 'three/webgpu';
+import { glslFunction } from '../glsl/tsl.ts';
+import { viewDirection } from '../material/view-direction.ts';
+import { hasOneView } from '../material/view-space.ts';
 import { type Falloff, FalloffNodes } from './falloff.ts';
 import { lightColor, lightVector } from './light-vector.ts';
 
@@ -51,6 +54,13 @@ export function spotFactor(cosTheta: number, angle: number, exponent: number, pe
 /** Without penumbra the edge is a step: a slope that no difference of float32 cosines but 0 survives. */
 export const STEP_SLOPE = 1e30;
 
+/** spotFactor() on the GPU. The least positive base keeps pow(0, 0) out, which is undefined. */
+const beamOf = glslFunction(`
+  float beam(float cosTheta, float cosCutoff, float edgeSlope, float exponent) {
+    return pow(max(cosTheta, 1e-6), exponent) * smoothstep(0.0, 1.0, (cosTheta - cosCutoff) * edgeSlope);
+  }
+`) as unknown as (cosTheta: Node, cosCutoff: Node, edgeSlope: Node, exponent: Node) => Node<'float'>;
+
 class BrdfSpotLightNode extends SpotLightNode {
   static get type(): string {
     return 'BrdfSpotLightNode';
@@ -74,12 +84,10 @@ class BrdfSpotLightNode extends SpotLightNode {
 
   override setupDirect(builder: NodeBuilder) {
     const { lightDirection, inverseDistance } = lightVector(this, builder);
-    const cosTheta = lightDirection
-      .dot(lightTargetDirection(this.light as SpotLight) as Node<'vec3'>)
-      .toVar();
-    const t = cosTheta.sub(this.cosCutoff).mul(this.edgeSlope).clamp().toVar();
-    // The least positive base keeps pow(0, 0) out, which is undefined.
-    const beam = cosTheta.max(1e-6).pow(this.exponent).mul(t).mul(t).mul(t.mul(-2).add(3));
+    const light = this.light as SpotLight;
+    const axis = hasOneView(builder) ? viewDirection(light) : (lightTargetDirection(light) as Node<'vec3'>);
+    const cosTheta = lightDirection.dot(axis).toVar();
+    const beam = beamOf(cosTheta, this.cosCutoff, this.edgeSlope, this.exponent);
     return { lightDirection, lightColor: lightColor(this).mul(this.falloff.at(inverseDistance)).mul(beam) };
   }
 }

@@ -11,6 +11,11 @@ export type Air = (from: Vec3, direction: Vec3, distance: Float) => Float;
 /** Beyond any scene. */
 const FAR = 1e30;
 
+/** Whether there is fog between lamps and surfaces. */
+export function hasAir(builder: NodeBuilder): boolean {
+  return Boolean((builder as unknown as { context: { readonly air?: Air } }).context.air);
+}
+
 /** Between the fragment and a place, in view space relative to the fragment; null where the air is clear. */
 export function airTo(builder: NodeBuilder, way: Vec3, distance: Float): Float | null {
   const { air } = (builder as unknown as { context: { readonly air?: Air } }).context;

@@ -28,7 +28,7 @@ import {
   type TextureNode,
 } from 'three/webgpu';
 import type { Model } from '../glsl/model.ts';
-import { modelFunctionByLight } from '../glsl/tsl.ts';
+import { glslFunction, modelFunctionByLight } from '../glsl/tsl.ts';
 import type { BrdfMaterial } from './brdf-material.ts';
 import { nonNegative } from './non-negative.ts';
 import { derivedNodes, parameterNodes } from './parameter-nodes.ts';
@@ -217,13 +217,24 @@ export class AlbedoTable {
   }
 }
 
+/** A cosine's place in a table: the texel left of it and how far it is from there. */
+const tablePlace = glslFunction(`
+  vec2 tablePlace(float cosine) {
+    float place = sqrt(min(max(cosine, 0.0), 1.0)) * ${TEXELS - 1}.0;
+    float left = min(floor(place), ${TEXELS - 2}.0);
+    return vec2(left, place - left);
+  }
+`) as unknown as (cosine: Float) => Node<'vec2'>;
+
 /** R(v) of the material that is being drawn, from its table. */
 export class AlbedoNode extends Node {
   static get type(): string {
     return 'AlbedoNode';
   }
 
-  private readonly table = texture(new Texture()) as unknown as TextureNode;
+  private readonly table = (
+    texture(new Texture()) as unknown as TextureNode & { setUpdateMatrix(value: boolean): TextureNode }
+  ).setUpdateMatrix(false);
   private readonly cosine: Float;
 
   /** @param cosine n.v */
@@ -244,18 +255,11 @@ export class AlbedoNode extends Node {
   override setup(builder: NodeBuilder): Node {
     const { material, renderer } = builder as unknown as { material: BrdfMaterial; renderer: Renderer };
     if (material.albedoTable) this.table.value = material.albedoTable.texture(renderer);
-    const place = this.cosine
-      .clamp(0, 1)
-      .sqrt()
-      .mul(TEXELS - 1)
-      .toVar();
-    const left = place
-      .floor()
-      .min(TEXELS - 2)
-      .toVar();
+    const place = tablePlace(this.cosine).toVar();
     // Not by the sampler: its fractions have 8 bits only, and not every device filters 32-bit floats.
-    const load = (x: Float) =>
-      (this.table as unknown as { load(uv: Node): Node<'vec4'> }).load(ivec2(x.toInt(), 0)).rgb;
-    return mix(load(left), load(left.add(1) as Float), place.sub(left));
+    const load = (x: Node<'int'>) =>
+      (this.table as unknown as { load(uv: Node): Node<'vec4'> }).load(ivec2(x, 0)).rgb;
+    const left = place.x.toInt().toVar() as Node<'int'>;
+    return mix(load(left), load(left.add(1) as Node<'int'>), place.y);
   }
 }

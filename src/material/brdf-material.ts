@@ -24,6 +24,7 @@ import { derivedQuantities } from '../glsl/derived.ts';
 import { createEvaluator, type Evaluator } from '../glsl/evaluator.ts';
 import type { Model } from '../glsl/model.ts';
 import { shaderPrefix } from '../glsl/shader-text.ts';
+import { glslFunction } from '../glsl/tsl.ts';
 import { AlbedoTable, alwaysRefreshed } from './albedo-table.ts';
 import { EnvironmentLightNode } from './environment-light.ts';
 import { frameContext, frameContextKeys } from './frame-context.ts';
@@ -33,6 +34,7 @@ import { turnTangentWithInstance } from './instance-tangent.ts';
 import { BrdfLightingModel } from './lighting-model.ts';
 import { type Channel, derivedNodes, type ParameterMap, parameterNodes } from './parameter-nodes.ts';
 import { dependsOnTangent, turnsWithTangent } from './tangent-dependence.ts';
+import { isOwnNormalMatrix, positionInView, seesCamera, useViewSpace } from './view-space.ts';
 
 /** What else is near lights the surface, even where there are no lamps: three.js must ask the lighting model. */
 class NearLightNode extends LightingNode {
@@ -240,7 +242,7 @@ export class BrdfMaterial extends NodeMaterial {
     const watched = observer as unknown as { hasNode: boolean; refreshUniforms: string[] };
     watched.hasNode = false;
     watched.refreshUniforms = [...watched.refreshUniforms, 'valuesVersion'];
-    return observer;
+    return seesCamera(observer);
   }
 
   /** Whether all that the material shows follows from three.js' own properties and the parameters' values. */
@@ -248,12 +250,23 @@ export class BrdfMaterial extends NodeMaterial {
     if (Object.keys(this.maps).length > 0 || this.setupEnvironment(builder) !== null) return false;
     const { context } = builder as unknown as { context: Record<string, unknown> };
     // As three.js' own observer asks, but for the colour that the constructor set.
-    const hooks = ['modelViewMatrix', 'modelNormalViewMatrix', 'getAO', 'getShadow', 'getGI'];
+    const hooks = ['modelViewMatrix', 'getAO', 'getShadow', 'getGI'];
     if ([...hooks, ...frameContextKeys].some((name) => context[name])) return false;
+    if (context.modelNormalViewMatrix && !isOwnNormalMatrix(context)) return false;
     return Object.entries(this).every(
       ([name, value]) =>
         !(value as { isNode?: boolean } | null)?.isNode || (name === 'colorNode' && value === this.white),
     );
+  }
+
+  override setup(builder: NodeBuilder): void {
+    useViewSpace(builder);
+    super.setup(builder);
+  }
+
+  override setupPositionView(builder: NodeBuilder): Node {
+    const { context } = builder as unknown as { context: object };
+    return isOwnNormalMatrix(context) ? positionInView() : super.setupPositionView(builder);
   }
 
   override setupPosition(builder: NodeBuilder): ReturnType<NodeMaterial['setupPosition']> {
@@ -298,7 +311,7 @@ export class BrdfMaterial extends NodeMaterial {
     const color = super.setupOutput(builder, outputNode) as Node<'vec4'>;
     const { renderer } = builder as unknown as { renderer: Renderer };
     if (renderer.getRenderTarget()?.texture.type !== HalfFloatType) return color;
-    return vec4(color.rgb.clamp(0, BRIGHTEST_HALF), color.a);
+    return vec4(atMostBrightest(color.rgb), color.a);
   }
 
   /** Colours of vertices, instances and batches, which multiply the model's first colour; null if there are none. */
@@ -385,6 +398,13 @@ export class BrdfMaterial extends NodeMaterial {
     }
   }
 }
+
+/** three.js has made the colour 0 where it is negative or not a number. */
+const atMostBrightest = glslFunction(`
+  vec3 atMostBrightest(vec3 color) {
+    return min(color, vec3(${BRIGHTEST_HALF}.0));
+  }
+`) as unknown as (color: Node<'vec3'>) => Node<'vec3'>;
 
 function toVector(value: number | readonly number[]): number | Vector2 | Vector3 | Vector4 {
   if (typeof value === 'number') return value;

@@ -1,20 +1,12 @@
-import { cross, dot, float, If, positionView, renderGroup, uniform, vec2, vec3 } from 'three/tsl';
-import {
-  type AnalyticLightNode,
-  type Camera,
-  type DirectionalLight,
-  type Light,
-  LightingModel,
-  type Node,
-  type NodeBuilder,
-  Vector3,
-} from 'three/webgpu';
+import { cross, dot, float, If, positionView, vec2, vec3 } from 'three/tsl';
+import { type AnalyticLightNode, type Light, LightingModel, type Node, type NodeBuilder } from 'three/webgpu';
 import type { Model } from '../glsl/model.ts';
-import { modelFunctionByLight, type ParameterNodes, type SplitCall } from '../glsl/tsl.ts';
-import { airTo, airToLamp } from './air.ts';
+import { glslFunction, modelFunctionByLight, type ParameterNodes, type SplitCall } from '../glsl/tsl.ts';
+import { airTo, airToLamp, hasAir } from './air.ts';
 import type { EnvironmentLightNode } from './environment-light.ts';
 import { fragmentData, wantsFragmentData } from './fragment-data.ts';
 import { frameContext } from './frame-context.ts';
+import { isOneLamp, lampLight } from './lamp-light.ts';
 import { lightFromEverywhere } from './light-from-everywhere.ts';
 import { fragmentPoint, type LightShadows, lightShadows, type ShadedPoint } from './light-shadows.ts';
 import { nonNegative } from './non-negative.ts';
@@ -102,6 +94,12 @@ export class BrdfLightingModel extends LightingModel {
     return nonNegative(this.brdf.perLight(L, V, N, X, Y));
   }
 
+  /** f (n.l), 0 where the light is below the horizon. */
+  private reflected(L: Vec3, cosine: Float): Vec3 {
+    const { V, N, X, Y } = this.frame as ShadingFrame;
+    return nonNegative(this.brdf.perLight(L, V, N, X, Y).mul(aboveHorizon(cosine)) as Vec3);
+  }
+
   /** Directional, point and spot lights; a shadow of three.js' own is in lightColor already. */
   override direct(data: Parameters<LightingModel['direct']>[0], builder: NodeBuilder): void {
     const { lightDirection, lightColor, lightNode, reflectedLight } = data as unknown as {
@@ -112,19 +110,26 @@ export class BrdfLightingModel extends LightingModel {
     };
     if (frameContext(builder).rayTracer) return;
     const { N } = this.frame as ShadingFrame;
-    const { light: source } = lightNode;
-    const L = isDirectional(source) ? viewDirection(source) : (lightDirection.toVar() as Vec3);
-    const E = lightColor.toVar() as Vec3;
-    const cosine = dot(N, L).toVar();
+    const lamp = lampLight(lightNode, builder, { lightDirection, lightColor });
+    const L = lamp.direction.toVar() as Vec3;
+    const E = lamp.irradiance.toVar() as Vec3;
+    const cosine = dot(N, L).toVar() as Float;
+    const { contactShadow } = frameContext(builder);
+    const shadow = this.shadows?.lamp(lightNode.light, builder) ?? null;
+    const isHidden = shadow !== null || (lightNode.light.castShadow && contactShadow);
+    // Without a branch, where there is little to skip: a software GPU computes what is in it, anyway, and the branch besides.
+    if (isOneLamp(lightNode.light) && !isHidden && !this.wantsData && !hasAir(builder)) {
+      reflectedLight.directSpecular.addAssign(this.reflected(L, cosine).mul(E));
+      return;
+    }
     // Most fragments face away from most lights, or are outside a spot's cone.
     If(cosine.mul(E.x.add(E.y).add(E.z)).greaterThan(0), () => {
-      const shadow = this.shadows?.lamp(lightNode.light, builder);
       const shadowed = shadow ? E.mul(shadow(this.point as ShadedPoint)) : E;
-      const contact = lightNode.light.castShadow ? frameContext(builder).contactShadow?.(L) : undefined;
+      const contact = lightNode.light.castShadow ? contactShadow?.(L) : undefined;
       const near = contact ? shadowed.mul(contact) : shadowed;
       const air = airToLamp(builder, lightNode, L);
       const light = air ? near.mul(air) : near;
-      reflectedLight.directSpecular.addAssign(this.f(L).mul(light).mul(cosine));
+      reflectedLight.directSpecular.addAssign(this.reflected(L, cosine).mul(light));
       if (this.wantsData) {
         If(light.x.add(light.y).add(light.z).greaterThan(0), () => this.count());
         const cascade = this.shadows?.cascade(lightNode.light, builder);
@@ -256,28 +261,12 @@ export class BrdfLightingModel extends LightingModel {
   }
 }
 
-const viewDirections = new WeakMap<DirectionalLight, Vec3>();
-
-/** Where a directional light comes from, in view space; three.js computes the same anew for every fragment. */
-function viewDirection(light: DirectionalLight): Vec3 {
-  let direction = viewDirections.get(light);
-  if (!direction) {
-    const target = new Vector3();
-    direction = uniform(new Vector3())
-      .setGroup(renderGroup)
-      .onRenderUpdate(({ camera }, { value }) =>
-        value
-          .setFromMatrixPosition(light.matrixWorld)
-          .sub(target.setFromMatrixPosition(light.target.matrixWorld))
-          .transformDirection((camera as Camera).matrixWorldInverse),
-      ) as unknown as Vec3;
-    viewDirections.set(light, direction);
+/** The cosine where it is positive, else 0. */
+const aboveHorizon = glslFunction(`
+  float aboveHorizon(float cosine) {
+    return cosine * step(0.0, cosine);
   }
-  return direction;
-}
-
-const isDirectional = (light: Light): light is DirectionalLight =>
-  (light as Partial<DirectionalLight>).isDirectionalLight === true;
+`) as unknown as (cosine: Float) => Float;
 
 /** Kept where it is computed: its derivatives do not hold inside branches. */
 function keptPoint({ position, normal, noise }: ShadedPoint): ShadedPoint {

@@ -3,16 +3,19 @@ import {
   cross,
   dot,
   float,
-  If,
+  negateOnBackSide,
   normalView,
   positionView,
+  tangentLocal,
   tangentView,
   uniform,
+  varying,
   vec3,
 } from 'three/tsl';
 import {
   type BufferGeometry,
   type Camera,
+  InterpolationSamplingType,
   type Mesh,
   type Node,
   type NodeBuilder,
@@ -24,8 +27,10 @@ import { glslFunction } from '../glsl/tsl.ts';
 import type { BrdfMaterial } from './brdf-material.ts';
 import { dependsOnTangent } from './tangent-dependence.ts';
 import { ensureTangents } from './tangents.ts';
+import { directionToView, isOwnNormalMatrix } from './view-space.ts';
 
 type Vec3 = Node<'vec3'>;
+type Float = Node<'float'>;
 
 /** The directions that a model is called with, in view space, but for L. */
 export interface ShadingFrame {
@@ -36,10 +41,15 @@ export interface ShadingFrame {
 }
 
 /**
- * Where interpolation or a normal map turns the normal away from the viewer, V is lifted to this cosine
- * above the horizon: the models are 0 below it, which would draw a black rim.
+ * Where interpolation or a normal map turns the normal away from the viewer, V is lifted to a cosine of 1e-4
+ * above the horizon: the models are 0 below it, which would draw a black rim. Hardly longer than 1 where it is
+ * lifted at all: normalising it again would cost every fragment.
  */
-const LEAST_COSINE = 1e-4;
+const lifted = glslFunction(`
+  vec3 lifted(vec3 V, vec3 N) {
+    return V + N * max(1e-4 - dot(N, V), 0.0);
+  }
+`) as unknown as (V: Vec3, N: Vec3) => Vec3;
 
 /** The frame of the fragment that is being shaded. */
 export function shadingFrame(builder: NodeBuilder, model: Model): ShadingFrame {
@@ -48,24 +58,19 @@ export function shadingFrame(builder: NodeBuilder, model: Model): ShadingFrame {
   // Not positionViewDirection, which is one more varying: where triangles are small, those are dear.
   const isOrthographic = (camera as Partial<OrthographicCamera>).isOrthographicCamera === true;
   const seen = (isOrthographic ? vec3(0, 0, 1) : (positionView as Vec3).negate().normalize()).toVar() as Vec3;
-  const lift = float(LEAST_COSINE).sub(dot(N, seen)).max(0);
-  // Hardly longer than 1 where it is lifted at all: normalising it again would cost every fragment.
-  const V = seen.add(N.mul(lift)).toVar('brdfV') as Vec3;
-  const X = anyTangent(N).toVar('brdfX') as Vec3;
-  const Y = cross(N, X).toVar('brdfY') as unknown as Vec3;
-  if (dependsOnTangent(model)) {
-    const { geometry } = builder as unknown as { geometry: BufferGeometry };
-    // Most materials are isotropic at most times: they need not pay for the others.
-    If(tangentMatters.greaterThan(0.5), () => {
-      const hasTangents = geometry.hasAttribute('tangent');
-      X.assign(orthogonalTangent(N, hasTangents ? (tangentView as Vec3) : aroundAxis(N), X));
-      // Mirrored texture coordinates turn the bitangent around.
-      const handedness = hasTangents
-        ? (attribute('tangent', 'vec4') as Node<'vec4'>).w.toVarying('brdfHandedness')
-        : float(1);
-      Y.assign(cross(N, X).mul(handedness));
-    });
+  const V = lifted(seen, N).toVar('brdfV') as Vec3;
+  if (!dependsOnTangent(model)) {
+    const X = anyTangent(N).toVar('brdfX') as Vec3;
+    return { V, N, X, Y: cross(N, X).toVar('brdfY') as unknown as Vec3 };
   }
+  const { geometry } = builder as unknown as { geometry: BufferGeometry };
+  const hasTangents = geometry.hasAttribute('tangent');
+  const T = (hasTangents ? meshTangent(builder) : aroundAxis(N)).toVar() as Vec3;
+  // Around the axis T is 0 at the poles; a mesh's own is as long as the object is scaled.
+  const scale2 = hasTangents ? dot(T, T) : float(1);
+  const X = orthogonalTangent(N, T, scale2 as Float, anyTangent(N)).toVar('brdfX') as Vec3;
+  const bitangent = cross(N, X) as unknown as Vec3;
+  const Y = (hasTangents ? bitangent.mul(handedness()) : bitangent).toVar('brdfY') as Vec3;
   return { V, N, X, Y };
 }
 
@@ -77,19 +82,30 @@ function aroundAxis(N: Vec3): Vec3 {
   return cross(objectAxis, N) as unknown as Vec3;
 }
 
-/** The object's y axis in view space. A uniform: a product of matrices would cost every fragment as much as a lobe. */
-const objectAxis = uniform(new Vector3()).onObjectUpdate(({ object, camera }, { value }) =>
-  object && camera
-    ? value.setFromMatrixColumn(object.matrixWorld, 1).transformDirection(camera.matrixWorldInverse)
-    : value,
-) as unknown as Vec3;
-
-/** 1 where the material that is drawn is anisotropic; its mesh is given tangents, if it has none. */
-const tangentMatters = uniform(0).onObjectUpdate(({ material, object }) => {
+/**
+ * The object's y axis in view space. A uniform: a product of matrices would cost every fragment as much as a lobe. It is
+ * read where a mesh has no tangents, and once the material is anisotropic, the mesh is given some for the next shader.
+ */
+const objectAxis = uniform(new Vector3()).onObjectUpdate(({ object, camera, material }, { value }) => {
+  if (!object || !camera) return value;
   const matters = (material as unknown as BrdfMaterial | null)?.dependsOnTangent() ?? true;
-  if (matters && object) ensureTangents((object as unknown as Mesh).geometry);
-  return Number(matters);
-}) as unknown as Node<'float'>;
+  if (matters) ensureTangents((object as unknown as Mesh).geometry);
+  return value.setFromMatrixColumn(object.matrixWorld, 1).transformDirection(camera.matrixWorldInverse);
+}) as unknown as Vec3;
+
+/** The mesh's own tangent in view space, of any length. */
+function meshTangent(builder: NodeBuilder): Vec3 {
+  const { context } = builder as unknown as { context: object };
+  if (!isOwnNormalMatrix(context)) return tangentView as Vec3;
+  return negateOnBackSide(directionToView(tangentLocal as Vec3).toVarying('brdfTangent') as Vec3) as Vec3;
+}
+
+/** -1 where mirrored texture coordinates turn the bitangent around, else 1. */
+function handedness(): Float {
+  return varying((attribute('tangent', 'vec4') as Node<'vec4'>).w, 'brdfHandedness').setInterpolation(
+    InterpolationSamplingType.FLAT,
+  ) as unknown as Float;
+}
 
 /**
  * A unit vector orthogonal to N, without branches: T. Duff et al., 2017, "Building an Orthonormal Basis,
@@ -103,11 +119,11 @@ const anyTangent = glslFunction(`
   }
 `) as unknown as (N: Vec3) => Vec3;
 
-/** The part of T that is orthogonal to N, as a unit vector; X where there is none. */
+/** The part of T that is orthogonal to N, as a unit vector; X where there is none beside a length of which scale2 is the square. */
 const orthogonalTangent = glslFunction(`
-  vec3 orthogonalTangent(vec3 N, vec3 T, vec3 X) {
+  vec3 orthogonalTangent(vec3 N, vec3 T, float scale2, vec3 X) {
     vec3 tangent = T - N * dot(N, T);
     float length2 = dot(tangent, tangent);
-    return length2 > 1e-12 ? tangent * inversesqrt(length2) : X;
+    return length2 > 1e-12 * scale2 ? tangent * inversesqrt(length2) : X;
   }
-`) as unknown as (N: Vec3, T: Vec3, X: Vec3) => Vec3;
+`) as unknown as (N: Vec3, T: Vec3, scale2: Float, X: Vec3) => Vec3;

@@ -13,6 +13,9 @@ export interface Feature {
   readonly geometry?: () => THREE.BufferGeometry;
   readonly shadow?: boolean;
   readonly instanced?: boolean;
+  /** Beside the sun. */
+  readonly lamp?: () => THREE.Light;
+  readonly pose?: (mesh: THREE.Mesh) => void;
 }
 
 /** A texture of noise, so that no two texels agree by accident. */
@@ -38,6 +41,10 @@ const withoutNormals = () => {
   const geometry = sphere();
   geometry.deleteAttribute('normal');
   return geometry;
+};
+const placed = <L extends THREE.Light>(lamp: L): L => {
+  lamp.position.set(-1.2, 1.5, 2.2);
+  return lamp;
 };
 const grey = () => noise([0, 0, 0, 255], [255, 255, 255, 255]);
 const normals = () => noise([70, 70, 180, 255], [185, 185, 255, 255]);
@@ -87,6 +94,17 @@ export const FEATURES: Readonly<Record<string, Feature>> = {
     },
   },
   'colours of instances': { instanced: true },
+  'a point light with a range': { lamp: () => placed(new THREE.PointLight(0xffccaa, 8, 4, 1.5)) },
+  'a spot light with a penumbra': { lamp: () => placed(new THREE.SpotLight(0xaaccff, 20, 8, 0.35, 0.4)) },
+  'a spot light that throws a picture': {
+    lamp: () => placed(Object.assign(new THREE.SpotLight(0xffffff, 20, 0, 0.4, 0.2), { map: grey() })),
+  },
+  'a mesh that is mirrored and squeezed': {
+    pose: (mesh) => {
+      mesh.scale.set(-1.1, 0.5, 0.8);
+      mesh.rotation.set(0.4, 1, 0.3);
+    },
+  },
   'a light map': {
     set: (m) => {
       const lightMap = grey();
@@ -97,14 +115,16 @@ export const FEATURES: Readonly<Record<string, Feature>> = {
 };
 
 export async function draw(renderer: THREE.WebGPURenderer, material: Either, feature: Feature) {
-  const { set, geometry = sphere, shadow = false, instanced = false } = feature;
+  const { set, geometry = sphere, shadow = false, instanced = false, lamp, pose } = feature;
   set?.(material);
   renderer.shadowMap.enabled = true;
   const light = new THREE.DirectionalLight(0xffffff, 3);
   light.position.set(1, 2, 2);
   const mesh = instanced ? twoInstances(geometry(), material) : new THREE.Mesh(geometry(), material);
+  pose?.(mesh);
   const scene = new THREE.Scene();
   scene.add(light, new THREE.AmbientLight(0xffffff, 0.3), mesh);
+  if (lamp) scene.add(lamp());
   if (shadow) {
     const caster = new THREE.Mesh(new THREE.SphereGeometry(0.3), material);
     caster.position.set(0.5, 1, 1);

@@ -76,3 +76,29 @@ test('one object that turns anisotropic while it is drawn gets its tangents in t
   const pixels = await renderer.readRenderTargetPixelsAsync(target, 0, 0, SIZE, SIZE);
   expect(difference(pixels as Float32Array, reference)).toBeLessThan(1e-4);
 });
+
+test('the axis that stands in for tangents stays with its object when the camera moves', async () => {
+  const material = brushed();
+  const [looked, fresh] = [0, 1].map(() => {
+    const geometry = sphere();
+    geometry.deleteAttribute('uv');
+    const scene = new THREE.Scene();
+    scene.add(new THREE.Mesh(geometry, material), light.clone());
+    return scene;
+  }) as [THREE.Scene, THREE.Scene];
+  const camera = new THREE.PerspectiveCamera(45, 1, 0.1, 10);
+  const target = new THREE.RenderTarget(SIZE, SIZE, { type: THREE.FloatType });
+  const draw = async (scene: THREE.Scene) => {
+    renderer.setRenderTarget(target);
+    renderer.render(scene, camera);
+    renderer.setRenderTarget(null);
+    return (await renderer.readRenderTargetPixelsAsync(target, 0, 0, SIZE, SIZE)) as Float32Array;
+  };
+  camera.position.z = 3.2;
+  const before = Float32Array.from(await draw(looked));
+  camera.position.set(1, 2, 2.3);
+  camera.lookAt(0, 0, 0);
+  const after = Float32Array.from(await draw(looked));
+  expect(difference(after, before)).toBeGreaterThan(0.1);
+  expect(difference(after, Float32Array.from(await draw(fresh)))).toBe(0);
+});
