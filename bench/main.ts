@@ -7,7 +7,7 @@ import type { SpheresRequest, SpheresResult } from './spheres.page.ts';
 import { LONG, measureTasks, type OperationTasks } from './tasks.ts';
 import { measureViews } from './views.ts';
 
-const FRAMES = 25;
+const FRAMES = 40;
 const NAVIGATIONS = 5;
 const DRAG_MS = 3000;
 

@@ -3,9 +3,11 @@ import {
   cross,
   dot,
   float,
+  mix,
   negateOnBackSide,
   normalView,
   positionView,
+  step,
   tangentLocal,
   tangentView,
   uniform,
@@ -68,9 +70,11 @@ export function shadingFrame(builder: NodeBuilder, model: Model): ShadingFrame {
   const T = (hasTangents ? meshTangent(builder) : aroundAxis(N)).toVar() as Vec3;
   // Around the axis T is 0 at the poles; a mesh's own is as long as the object is scaled.
   const scale2 = hasTangents ? dot(T, T) : float(1);
-  const X = orthogonalTangent(N, T, scale2 as Float, anyTangent(N)).toVar('brdfX') as Vec3;
+  const least = scale2.mul(leastTangent) as Float;
+  const X = orthogonalTangent(N, T, least, anyTangent(N)).toVar('brdfX') as Vec3;
   const bitangent = cross(N, X) as unknown as Vec3;
-  const Y = (hasTangents ? bitangent.mul(handedness()) : bitangent).toVar('brdfY') as Vec3;
+  const turned = () => mix(1, handedness(), step(leastTangent, 1));
+  const Y = (hasTangents ? bitangent.mul(turned()) : bitangent).toVar('brdfY') as Vec3;
   return { V, N, X, Y };
 }
 
@@ -82,16 +86,23 @@ function aroundAxis(N: Vec3): Vec3 {
   return cross(objectAxis, N) as unknown as Vec3;
 }
 
+/** The object's y axis in view space. A uniform: a product of matrices would cost every fragment as much as a lobe. */
+const objectAxis = uniform(new Vector3()).onObjectUpdate(({ object, camera }, { value }) =>
+  object && camera
+    ? value.setFromMatrixColumn(object.matrixWorld, 1).transformDirection(camera.matrixWorldInverse)
+    : value,
+) as unknown as Vec3;
+
 /**
- * The object's y axis in view space. A uniform: a product of matrices would cost every fragment as much as a lobe. It is
- * read where a mesh has no tangents, and once the material is anisotropic, the mesh is given some for the next shader.
+ * Beside its length squared, how much of a tangent must be orthogonal to the normal. Where the material that is drawn is
+ * isotropic, more than there is: its samples shall not turn with the seams of texture coordinates. Where it is not, the mesh
+ * is given tangents, if it has none.
  */
-const objectAxis = uniform(new Vector3()).onObjectUpdate(({ object, camera, material }, { value }) => {
-  if (!object || !camera) return value;
+const leastTangent = uniform(0).onObjectUpdate(({ material, object }) => {
   const matters = (material as unknown as BrdfMaterial | null)?.dependsOnTangent() ?? true;
-  if (matters) ensureTangents((object as unknown as Mesh).geometry);
-  return value.setFromMatrixColumn(object.matrixWorld, 1).transformDirection(camera.matrixWorldInverse);
-}) as unknown as Vec3;
+  if (matters && object) ensureTangents((object as unknown as Mesh).geometry);
+  return matters ? 1e-12 : 2;
+}) as unknown as Float;
 
 /** The mesh's own tangent in view space, of any length. */
 function meshTangent(builder: NodeBuilder): Vec3 {
@@ -119,11 +130,11 @@ const anyTangent = glslFunction(`
   }
 `) as unknown as (N: Vec3) => Vec3;
 
-/** The part of T that is orthogonal to N, as a unit vector; X where there is none beside a length of which scale2 is the square. */
+/** The part of T that is orthogonal to N, as a unit vector; X where its length squared is `least` or less. */
 const orthogonalTangent = glslFunction(`
-  vec3 orthogonalTangent(vec3 N, vec3 T, float scale2, vec3 X) {
+  vec3 orthogonalTangent(vec3 N, vec3 T, float least, vec3 X) {
     vec3 tangent = T - N * dot(N, T);
     float length2 = dot(tangent, tangent);
-    return length2 > 1e-12 * scale2 ? tangent * inversesqrt(length2) : X;
+    return length2 > least ? tangent * inversesqrt(length2) : X;
   }
-`) as unknown as (N: Vec3, T: Vec3, scale2: Float, X: Vec3) => Vec3;
+`) as unknown as (N: Vec3, T: Vec3, least: Float, X: Vec3) => Vec3;
