@@ -131,6 +131,57 @@ it('a rectangle has all of its light on open ground, also where it reaches below
   for (const { pixel } of behind) expect(mean[3 * pixel]).toBeLessThan(0.1);
 });
 
+it('in a closed room nothing is left: what is drawn of each light is what its closed form says', async () => {
+  const room = {
+    name: 'room',
+    material: 'm',
+    geometry: { type: 'box', width: 20, height: 20, depth: 20 },
+  };
+  const box = {
+    azimuth: 70,
+    elevation: 30,
+    width: 60,
+    height: 30,
+    roll: 20,
+    luminance: 9,
+    color: [1, 0.4, 0.2],
+  };
+  const outside = {
+    // Partly below the ground.
+    panel: {
+      type: 'rectangle',
+      luminance: 4,
+      width: 12,
+      height: 9,
+      position: [-15, 2, 3],
+      target: [0, 1, 0],
+    },
+    sky: { type: 'hemisphere', luminance: 0.2, color: [0.3, 0.6, 1], groundColor: [1, 0, 0] },
+  };
+  for (const [name, lights] of Object.entries({
+    panel: { panel: outside.panel },
+    sky: { sky: outside.sky },
+  })) {
+    const film = await render(
+      stage(
+        {
+          lights,
+          objects: { room },
+          materials: { m: { ...material('lambert'), doubleSided: true } },
+          camera: { fov: 60, position: [0, 6, 1e-4], target: [0, 0, 0], fStop: 0 },
+          ...(name === 'sky' && { environment: { source: { type: 'studio', dome: 0.1, boxes: [box] } } }),
+        },
+        { height: 0 },
+      ),
+      64,
+    );
+    for (const c of [0, 1, 2]) {
+      const left = film.radiance.reduce((sum, x, i) => sum + (i % 3 === c ? x : 0), 0) / (64 * SIZE * SIZE);
+      expect(Math.abs(left)).toBeLessThan(0.005);
+    }
+  }
+});
+
 it('strength, rim and a transparent background', async () => {
   const even = { ...evenLight, background: { type: 'transparent' } };
   const film = await render(stage(even, { strength: 0.5, radius: 3, fade: 0.5 }), 256);
