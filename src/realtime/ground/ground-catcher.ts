@@ -27,6 +27,9 @@ export class GroundCatcher {
   readonly #shadow = new SkyShadow();
   readonly #material = new CatcherMaterial(this.#shadow, this.#light.irradiance);
   readonly #mesh = new Mesh(disc(), this.#material);
+  #bounds = boundsOf([]);
+  #lowest = 0;
+  /** Of the last frame. */
   #height: number | null = null;
 
   constructor() {
@@ -48,8 +51,12 @@ export class GroundCatcher {
     scene.updateMatrixWorld();
     const haveMoved = this.#casters.update(scene);
     const { list } = this.#casters;
-    const bounds = boundsOf(list);
-    const height = ground.height ?? lowestOf(list);
+    if (haveMoved) {
+      this.#bounds = boundsOf(list);
+      this.#lowest = lowestOf(list);
+    }
+    const bounds = this.#bounds;
+    const height = ground.height ?? this.#lowest;
     const isOther = this.#light.update(scene, environment?.source.type === 'sky');
     if (haveMoved || isOther || height !== this.#height) this.#shadow.restart(list, bounds, height);
     this.#height = height;
