@@ -129,6 +129,8 @@ export class LabPage {
   ) {}
 
   async ready(): Promise<this> {
+    // A page in another language waits for its words, which the load event does not.
+    await this.until(`typeof irradia === 'object'`);
     await this.page.evaluate('irradia.ready');
     return this;
   }
