@@ -119,8 +119,10 @@ test('a ball that has moved leaves nothing behind', async () => {
     maker.renderer.render(mirror, document, SIZE);
   }
   const moved = await maker.renderer.readRadiance();
+  for (let i = 0; i < 4; i++) maker.renderer.render(mirror, at(0.8), SIZE);
+  const later = await maker.renderer.readRadiance();
   mirror.dispose();
-  const fresh = await drawn(at(0.8), 2);
+  const fresh = await drawn(at(0.8), 12);
   const empty = await drawn(
     withRays({ ...overFloor, objects: { floor: floor(8) }, materials: { floor: metal(0.3) } }),
     2,
@@ -128,6 +130,13 @@ test('a ball that has moved leaves nothing behind', async () => {
   // Where it was and is not any more.
   const left = (x: number, y: number) => x < 48 && y > 35;
   expect(meanError(moved, empty, left).error).toBeLessThan(0.004);
+  // Nor is there a trail of a few pixels, four frames later.
+  let farthest = 0;
+  for (let i = 0; i < later.pixels.length; i++) {
+    const [x, y] = [(i >> 2) % later.width, Math.floor((i >> 2) / later.width)];
+    if (left(x, y)) farthest = Math.max(farthest, Math.abs(later.pixels[i]! - fresh.pixels[i]!));
+  }
+  expect(farthest).toBeLessThan(0.06);
   const behind = (x: number, y: number) => x < 60 && y > 35;
   expect(meanError(moved, fresh, behind).error).toBeLessThan(0.02);
 });
