@@ -62,15 +62,12 @@ export interface TracedLight {
 export type FrameContext = {
   /** Ambient occlusion, at the fragment that is shaded; in the fragment's own code, at its top level. */
   readonly openSky?: () => OpenSky;
-  /** The part of a lamp's light that is not kept off close to the fragment. @param L to the lamp, in view space */
-  readonly contactShadow?: (L: Vec3) => Float;
   readonly tracedLight?: TracedLight;
   readonly rayTracer?: RayTracer;
 };
 
 export const frameContextKeys = [
   'openSky',
-  'contactShadow',
   'tracedLight',
   'rayTracer',
 ] as const satisfies readonly (keyof FrameContext)[];

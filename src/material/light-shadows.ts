@@ -42,6 +42,8 @@ export interface PanelShadow {
 }
 
 export interface LightShadows {
+  /** Comes first, at the top level of a fragment's code: what is read there, not in branches. */
+  start(builder: NodeBuilder): void;
   /** Null for a light that casts none. */
   lamp(light: Light, builder: NodeBuilder): LampShadow | null;
   /** Which of a light's maps has the point, 0 being the finest; null for a light that has one alone, or none. */

@@ -81,6 +81,7 @@ export class BrdfLightingModel extends LightingModel {
     reflectedLight.indirectSpecular.assign(vec3(0));
     this.shadows = lightShadows(builder);
     this.point = this.shadows && keptPoint(fragmentPoint());
+    this.shadows?.start(builder);
     super.start(builder);
   }
 
@@ -114,21 +115,17 @@ export class BrdfLightingModel extends LightingModel {
     const L = lamp.direction.toVar() as Vec3;
     const E = lamp.irradiance.toVar() as Vec3;
     const cosine = dot(N, L).toVar() as Float;
-    const { contactShadow } = frameContext(builder);
     const shadow = this.shadows?.lamp(lightNode.light, builder) ?? null;
-    const isHidden = shadow !== null || (lightNode.light.castShadow && contactShadow);
     // Without a branch, where there is little to skip: a software GPU computes what is in it, anyway, and the branch besides.
-    if (isOneLamp(lightNode.light) && !isHidden && !this.wantsData && !hasAir(builder)) {
+    if (isOneLamp(lightNode.light) && !shadow && !this.wantsData && !hasAir(builder)) {
       reflectedLight.directSpecular.addAssign(this.reflected(L, cosine).mul(E));
       return;
     }
     // Most fragments face away from most lights, or are outside a spot's cone.
     If(cosine.mul(E.x.add(E.y).add(E.z)).greaterThan(0), () => {
       const shadowed = shadow ? E.mul(shadow(this.point as ShadedPoint)) : E;
-      const contact = lightNode.light.castShadow ? contactShadow?.(L) : undefined;
-      const near = contact ? shadowed.mul(contact) : shadowed;
       const air = airToLamp(builder, lightNode, L);
-      const light = air ? near.mul(air) : near;
+      const light = air ? shadowed.mul(air) : shadowed;
       reflectedLight.directSpecular.addAssign(this.reflected(L, cosine).mul(light));
       if (this.wantsData) {
         If(light.x.add(light.y).add(light.z).greaterThan(0), () => this.count());

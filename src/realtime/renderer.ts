@@ -183,10 +183,11 @@ export class RealtimeRenderer {
     if (this.#effects.needsSurfaces || this.#dataViews.needsSurfaces(show))
       this.#inputs.surfaces.render(three, scene, camera, width, height, this.#inputs.surfacesFrame);
     this.times.mark('surfaces');
+    const [x, y] = showsLight(show) ? this.#effects.jitter() : [0, 0];
+    this.#inputs.jitter.value.set(x / width, y / height);
     this.#effects.beforeScene(three, scene, camera);
     if (showsLight(show)) {
       this.#ground?.prepare(three, scene, camera, settings);
-      const [x, y] = this.#effects.jitter();
       this.#drawScene(scene, camera, (-2 * x) / width, (2 * y) / height);
       this.times.mark('scene');
       this.#result = this.#effects.afterScene(three, this.#radiance);

@@ -2,7 +2,6 @@
 import type { EffectDefinition } from '../frame/effect.ts';
 import { ambientOcclusion } from './ambient-occlusion.ts';
 import { bloom } from './bloom.ts';
-import { contactShadows } from './contact-shadows.ts';
 import { depthOfField } from './depth-of-field/index.ts';
 import { fog } from './fog/index.ts';
 import { fxaa } from './fxaa.ts';
@@ -16,7 +15,6 @@ import { tracedLight } from './traced-light/index.ts';
 export const effects: readonly EffectDefinition[] = [
   shadows,
   ambientOcclusion,
-  contactShadows,
   tracedLight,
   fog,
   temporal,

@@ -33,7 +33,7 @@ const CONTRAST = 2;
 /** Pixels that an edge is followed to either side. */
 const REACH = 16;
 
-const BYTES = { type: UnsignedByteType };
+const BYTES = { type: UnsignedByteType, isBlended: false };
 
 class Smaa implements Effect {
   readonly #texel = uniform(new Vector2());

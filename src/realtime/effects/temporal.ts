@@ -12,7 +12,7 @@ import { BRIGHTEST_HALF } from '../../material/half-float.ts';
 import type { Effect, EffectDefinition } from '../frame/effect.ts';
 import type { FrameInputs } from '../frame/inputs.ts';
 import { motionAt } from '../frame/motion.ts';
-import { inputTexture, Pass } from '../frame/pass.ts';
+import { inputTexture, Pass, pixelOf } from '../frame/pass.ts';
 
 type Vec2 = Node<'vec2'>;
 type Vec3 = Node<'vec3'>;
@@ -88,7 +88,7 @@ class Temporal implements Effect {
   #resolve(): Node {
     const texel = vec2(1).div(this.#inputs.size) as Vec2;
     return Fn(() => {
-      const own = bounded(this.#current.rgb);
+      const own = bounded(this.#colorAt(0, 0)).toVar() as Vec3;
       const result = own.toVar();
       If(this.#isMoving.lessThan(0.5), () => {
         // Where nothing is kept yet, what the texture holds may be anything.
@@ -102,7 +102,7 @@ class Temporal implements Effect {
           .all()
           .and(past.lessThanEqual(vec2(1)).all());
         If(isInside, () => {
-          const clipped = this.#clipped(catmullRom(this.#history, past, this.#inputs.size), texel);
+          const clipped = this.#clipped(catmullRom(this.#history, past, this.#inputs.size));
           // Bright specks count less, so that they do not flicker (Karis).
           const was = float(this.#weight.oneMinus()).div(luma(clipped).add(1)) as Float;
           const is = float(this.#weight).div(luma(own).add(1)) as Float;
@@ -130,12 +130,19 @@ class Temporal implements Effect {
     return motionAt(this.#inputs, place, nearest);
   }
 
+  /** Of the present frame, so many pixels beside. */
+  #colorAt(x: number, y: number): Node {
+    const { size } = this.#inputs;
+    const pixel = uv().mul(size).floor().add(vec2(x, y)) as Vec2;
+    return pixelOf(this.#current, pixel, size as unknown as Vec2).rgb;
+  }
+
   /** A colour of the past, moved towards the mean of those around until it is one of them. */
-  #clipped(past: Vec3, texel: Vec2): Vec3 {
-    let sum: Vec3 = toYCoCg(bounded(this.#current.rgb));
+  #clipped(past: Vec3): Vec3 {
+    let sum: Vec3 = toYCoCg(bounded(this.#colorAt(0, 0)));
     let squares: Vec3 = sum.mul(sum) as Vec3;
     for (const [x, y] of AROUND) {
-      const there = toYCoCg(bounded(this.#current.sample(uv().add(texel.mul(vec2(x, y)))).rgb)).toVar();
+      const there = toYCoCg(bounded(this.#colorAt(x, y))).toVar();
       sum = sum.add(there) as Vec3;
       squares = squares.add(there.mul(there)) as Vec3;
     }

@@ -54,7 +54,7 @@ export class EffectChain {
 
   /** Whether materials ask for the shadows of single lamps. */
   get drawsShadows(): boolean {
-    return 'shadows' in this.#told || 'contactShadow' in this.#told;
+    return 'shadows' in this.#told;
   }
 
   get unsettled(): boolean {

@@ -47,8 +47,13 @@ export class FrameInputs {
   readonly depth: TextureNode = texture(this.surfaces.depth);
   /** View space, xyz in -1..1; 0 where nothing is. */
   readonly normal: TextureNode = texture(this.surfaces.normal);
-  /** By how much a point has moved since the last frame, in normalised device coordinates. */
+  /**
+   * xy: by how much a point has moved since the last frame, in normalised device coordinates; zw: the normal of the triangle
+   * itself, towards the camera, in view space, as toOctahedron() has it.
+   */
   readonly velocity: TextureNode = texture(this.surfaces.velocity);
+  /** Where in its pixels the scene is looked at, as a part of the frame from their middles; what is read here is of the middles. */
+  readonly jitter = uniform(new Vector2());
 
   /** Null while lamps cast no shadows. */
   shadowMaps: ShadowMaps | null = null;

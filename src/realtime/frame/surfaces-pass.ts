@@ -1,10 +1,15 @@
-/** Depth, normal and motion of what the camera sees, before the scene is shaded. */
+/** Depth, normals and motion of what the camera sees, before the scene is shaded. */
 import {
   cameraProjectionMatrix,
+  cross,
+  dFdx,
+  dFdy,
+  dot,
   modelViewMatrix,
   mrt,
   normalView,
   positionLocal,
+  positionView,
   uniform,
   vec4,
 } from 'three/tsl';
@@ -23,6 +28,7 @@ import {
   type Texture,
   type WebGPURenderer,
 } from 'three/webgpu';
+import { toOctahedron } from '../effects/screen-space/octahedron.ts';
 
 /**
  * The normals are the interpolated ones of the mesh: a normal map does not change where a surface is, which is what
@@ -41,7 +47,7 @@ export class SurfacesPass {
   #drawn = Number.NEGATIVE_INFINITY;
   readonly #outputs = mrt({
     normal: vec4(normalView, 1),
-    velocity: vec4(this.#velocity(), 0, 1),
+    velocity: vec4(this.#velocity(), toOctahedron(facing())),
   });
 
   constructor() {
@@ -92,6 +98,8 @@ export class SurfacesPass {
     const draw = three.getRenderObjectFunction();
     three.setRenderObjectFunction((object, ofScene, ofCamera, geometry, material, ...rest) => {
       this.#material.side = material.side;
+      // What is cut out is: three.js hands on the rest that it takes.
+      this.#material.opacity = material.opacity;
       if (isFirst) this.#world.delete(object);
       this.#seen.add(object);
       three.renderObject(object, ofScene, ofCamera, geometry, material, ...rest);
@@ -132,4 +140,12 @@ export class SurfacesPass {
     this.target.dispose();
     this.#material.dispose();
   }
+}
+
+/** The normal of the triangle, towards the camera, in view space. */
+function facing(): Node<'vec3'> {
+  const P = positionView as Node<'vec3'>;
+  const plane = cross(dFdx(P) as Node<'vec3'>, dFdy(P) as Node<'vec3'>) as unknown as Node<'vec3'>;
+  const unit = plane.mul(dot(plane, plane).max(1e-36).inverseSqrt());
+  return unit.mul(dot(unit, P).greaterThan(0).select(-1, 1)) as Node<'vec3'>;
 }

@@ -31,7 +31,6 @@ import {
   Vector4,
   ZeroFactor,
 } from 'three/webgpu';
-import { frameContext } from '../../material/frame-context.ts';
 import {
   fragmentPoint,
   type LightShadows,
@@ -155,9 +154,8 @@ class CatcherLightingModel extends LightingModel {
     If(E.x.add(E.y).add(E.z).greaterThan(0), () => {
       const shadow = this.shadows?.lamp(lightNode.light, builder);
       const lit = shadow ? E.mul(shadow(this.point as ShadedPoint)) : E;
-      const contact = lightNode.light.castShadow ? frameContext(builder).contactShadow?.(L) : undefined;
       add(this.whole, E);
-      add(this.arrived, (contact ? lit.mul(contact) : lit) as Vec3);
+      add(this.arrived, lit as Vec3);
     });
   }
 

@@ -30,7 +30,7 @@ export class ProjectedMaterials {
 
   /** For a mesh with a material of its own. */
   for(surface: Surface, { geometry }: Mesh): NodeMaterial {
-    const side = castingSide(surface, geometry);
+    const side = castingSide(surface, geometry, false);
     if (surface.alphaTest <= 0 && !surface.transparent) {
       const material = this.#plain.get(side) ?? this.#make(side);
       this.#plain.set(side, material);

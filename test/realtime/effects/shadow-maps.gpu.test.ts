@@ -1,7 +1,8 @@
 import { describe, expect, test } from 'vitest';
+import { MASKED_LAMPS } from '../../../src/realtime/effects/shadows/mask.ts';
 import { material, scene } from '../../pathtracer/scenes.ts';
 import { trace } from '../../pathtracer/tracer.ts';
-import { frameMaker } from './frames.ts';
+import { frameMaker, shareThatDiffers } from './frames.ts';
 import {
   ball,
   grey,
@@ -105,7 +106,9 @@ describe('maps', () => {
 
   test('are drawn when something has moved, and then alone', async () => {
     const { renderer } = maker;
-    const before = stage(lights.point);
+    const beside = ball(0.2, { position: [4, 3, 1] });
+    const one = stage(lights.point);
+    const before = scene({ ...JSON.parse(JSON.stringify(one)), objects: { ...one.objects, beside } });
     const after = scene({
       ...JSON.parse(JSON.stringify(before)),
       objects: { ...before.objects, ball: { ...before.objects.ball!, position: [0.5, 0.5, 0.2] } },
@@ -119,11 +122,51 @@ describe('maps', () => {
     };
     const [first, still] = [draws(before), draws(before)];
     expect(first).toBeGreaterThan(still);
-    expect(draws(after)).toBe(first);
+    const changed = draws(after);
+    // The face of the cube that shows the other ball alone is as it was.
+    expect(changed).toBeGreaterThan(still);
+    expect(changed).toBeLessThan(first);
     const moved = await renderer.readRadiance();
     mirror.dispose();
     expect(moved.pixels).toEqual((await maker.draw(after)).pixels);
   });
+});
+
+test('another effect beside them is switched on and off, and shadows stay as they are', async () => {
+  const before = stage(lights.spot);
+  const occluded = {
+    ...before,
+    effects: { ...before.effects, ambientOcclusion: { ...before.effects.ambientOcclusion, enabled: true } },
+  };
+  const mirror = await maker.mirror(before);
+  const pictures = [];
+  for (const document of [before, occluded, before]) {
+    mirror.apply(document);
+    maker.renderer.render(mirror, document, { width: WIDTH, height: HEIGHT });
+    pictures.push((await maker.renderer.readRadiance()).pixels);
+  }
+  mirror.dispose();
+  // Only lamps light the stage.
+  expect(pictures[1]).toEqual(pictures[0]);
+  expect(pictures[2]).toEqual(pictures[0]);
+});
+
+test('a lamp inside a body lights nothing outside', async () => {
+  const inside = await maker.draw(stage({ ...lights.point, position: [0, 0.7, 0], radius: 0 }));
+  expect(Math.max(...grey(inside))).toBe(0);
+});
+
+test('of lamps that are too many for the mask, materials find the shadows themselves: the same ones', async () => {
+  const dark = { ...lights.spot, intensity: 0 };
+  const others = Object.fromEntries(Array.from({ length: MASKED_LAMPS }, (_, i) => [`dark${i}`, dark]));
+  const withLamps = (lamps: object) => ({
+    ...stage(lights.spot),
+    lights: scene({ lights: lamps }).lights,
+  });
+  const masked = await maker.draw(withLamps({ lamp: lights.spot, ...others }));
+  const beyond = await maker.draw(withLamps({ ...others, lamp: lights.spot }));
+  // Along edges: a point of the mask is lifted a little, and a pixel may have its neighbour’s number.
+  expect(shareThatDiffers(masked, beyond, 0.01)).toBeLessThan(0.02);
 });
 
 test('switched off, or of lights that cast none, shadows change no bit', async () => {
@@ -140,6 +183,23 @@ test('switched off, or of lights that cast none, shadows change no bit', async (
   });
   const sum = (values: ArrayLike<number>) => Array.from(values).reduce((a, b) => a + b, 0);
   expect(sum(film.mean()) / sum(pixels.filter((_, i) => i % 4 < 3))).toBeCloseTo(1, 1);
+});
+
+test('what is seen through a hole has shadows of its own', async () => {
+  const document = stage(lights.sun);
+  const through = scene({
+    ...document,
+    materials: {
+      ...materials,
+      hole: material('lambert', white, { alphaMode: 'mask', alphaCutoff: 0.6, opacity: 0.5 }),
+    },
+    objects: {
+      ...document.objects,
+      hole: { ...plane(1.5, { position: [0, 1.8, 1.2], rotation: [0, 0, 0] }), material: 'hole' },
+    },
+  });
+  const [a, b] = [await maker.draw(through), await maker.draw(document)];
+  expect(shareThatDiffers(a, b)).toBeLessThan(0.001);
 });
 
 test('what is cut out casts no shadow, and what is blended a part of it', async () => {

@@ -5,7 +5,7 @@
  * Call of Duty: Advanced Warfare", SIGGRAPH course.
  */
 import { texture, uniform } from 'three/tsl';
-import { NearestFilter, type RenderTarget, Vector2, type WebGPURenderer } from 'three/webgpu';
+import { type RenderTarget, Vector2, type WebGPURenderer } from 'three/webgpu';
 import type { Effect, EffectDefinition, EffectSettings } from '../../frame/effect.ts';
 import type { FrameInputs } from '../../frame/inputs.ts';
 import { inputTexture, Pass } from '../../frame/pass.ts';
@@ -26,22 +26,28 @@ class DepthOfField implements Effect {
   constructor(inputs: FrameInputs) {
     this.#circle = new CircleOfConfusion(inputs);
     const shared = { inputs, circle: this.#circle, samples: this.#samples, halfSize: this.#halfSize };
-    const half = new Pass('half and circles', halved(shared, this.#picture));
-    nearest(half);
+    const exact = { isBlended: false };
+    const half = new Pass('half and circles', halved(shared, this.#picture), exact);
     const halfMap = texture(half.target.texture);
-    const tiles = new Pass('tiles of circles', tileReach(shared, halfMap));
-    nearest(tiles);
+    const tiles = new Pass('tiles of circles', tileReach(shared, halfMap), exact);
     // As many tiles as the largest circle may reach, for any size of the picture.
-    const across = new Pass('reach across', tileSpread(this.#tileSize, texture(tiles.target.texture), 'x'));
-    nearest(across);
-    const reach = new Pass('reach', tileSpread(this.#tileSize, texture(across.target.texture), 'y'));
-    nearest(reach);
+    const across = new Pass(
+      'reach across',
+      tileSpread(this.#tileSize, texture(tiles.target.texture), 'x'),
+      exact,
+    );
+    const reach = new Pass('reach', tileSpread(this.#tileSize, texture(across.target.texture), 'y'), exact);
     const reachMap = texture(reach.target.texture);
     const far = new Pass('far', farGathered(shared, halfMap));
     const near = new Pass('near', nearGathered(shared, halfMap, reachMap));
     const result = new Pass(
       'depth of field',
-      composed(shared, this.#picture, halfMap, texture(far.target.texture), texture(near.target.texture)),
+      composed(shared, this.#picture, {
+        half: halfMap,
+        far: texture(far.target.texture),
+        near: texture(near.target.texture),
+        reach: reachMap,
+      }),
     );
     this.#passes = { half, tiles, across, reach, far, near, result };
   }
@@ -68,11 +74,6 @@ class DepthOfField implements Effect {
   dispose(): void {
     for (const pass of Object.values(this.#passes)) pass.dispose();
   }
-}
-
-function nearest({ target }: Pass): void {
-  target.texture.minFilter = NearestFilter;
-  target.texture.magFilter = NearestFilter;
 }
 
 export const depthOfField: EffectDefinition = {

@@ -11,14 +11,7 @@ import {
   vec3,
   vec4,
 } from 'three/tsl';
-import {
-  FloatType,
-  NearestFilter,
-  type Node,
-  type Texture,
-  Vector2,
-  type WebGPURenderer,
-} from 'three/webgpu';
+import { FloatType, type Node, type Texture, Vector2, type WebGPURenderer } from 'three/webgpu';
 import type { FrameInputs } from '../../frame/inputs.ts';
 import { Pass } from '../../frame/pass.ts';
 
@@ -45,11 +38,11 @@ export class Guide {
     this.#inputs = inputs;
     this.#scale = scale;
     const own = this.#pixel(uv() as Vec2);
-    const depth = inputs.depth.sample(own).r as unknown as Float;
-    const viewZ = perspectiveDepthToViewZ(depth, inputs.near, inputs.far) as unknown as Float;
-    const distance = select(depth.lessThan(1), viewZ.negate().min(NOTHING), float(NOTHING));
-    this.#pass = new Pass('guide', vec4(inputs.normal.sample(own).xyz, distance), { type: FloatType });
-    Object.assign(this.#pass.target.texture, { minFilter: NearestFilter, magFilter: NearestFilter });
+    const distance = distanceOf(inputs, inputs.depth.sample(own).r as unknown as Float);
+    this.#pass = new Pass('guide', vec4(inputs.normal.sample(own).xyz, distance), {
+      type: FloatType,
+      isBlended: false,
+    });
   }
 
   /** Once a frame, whoever asks first. */
@@ -95,10 +88,17 @@ export class Guide {
   }
 }
 
-const columnsOf =
+/** Of the camera's projection. */
+export const columnsOf =
   ({ projection }: FrameInputs) =>
   (i: number): Vec4 =>
     (projection as unknown as { element(i: number): Vec4 }).element(i);
+
+/** Distance along the view from what the depth buffer has, in metres. */
+export function distanceOf({ near, far }: FrameInputs, depth: Float): Float {
+  const viewZ = perspectiveDepthToViewZ(depth, near, far) as unknown as Float;
+  return select(depth.lessThan(1), viewZ.negate().min(NOTHING), float(NOTHING)) as unknown as Float;
+}
 
 /** A point in view space from normalised device coordinates and its distance along the view. */
 export function positionAt(inputs: FrameInputs, ndc: Vec2, distance: Float): Vec3 {

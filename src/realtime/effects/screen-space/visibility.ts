@@ -21,6 +21,7 @@ type Uint = Node<'uint'>;
 
 /** Of a slice: one for each bit. */
 const SECTORS = 32;
+const SECTOR = Math.PI / SECTORS;
 /** The last part of the radius, over which what is found counts less and less. */
 const FADE = 0.25;
 /**
@@ -143,16 +144,19 @@ export function visibility(guide: Guide, numbers: Numbers, write: Write): Vec4 {
         const phi = i.add(turn).div(directions).mul(Math.PI).toVar();
         const { O, length, n, closed, look } = slice(vec3(phi.cos(), phi.sin(), 0).toVar() as Vec3);
         for (const side of [1, -1] as const) look(side, steps as unknown as Float);
+        // Cosine and sine of the sector's middle, from the normal and from the view ray: turned by a sector each time.
+        const first = 0.5 * SECTOR - Math.PI / 2;
+        const fromN = vec2(Math.cos(first), Math.sin(first)).toVar() as Vec2;
+        const theta = n.add(first).toVar() as Float;
+        const fromV = vec2(theta.cos(), theta.sin()).toVar() as Vec2;
         repeat(SECTORS, (k) => {
-          const beta = sector(k).toVar() as Float;
-          const theta = beta.add(n).toVar() as Float;
-          const sine = theta.sin().toVar() as Float;
-          const weight = length.mul(beta.cos()).mul(sine.abs()).toVar() as Float;
+          const weight = length.mul(fromN.x).mul(fromV.y.abs()).toVar() as Float;
           all.addAssign(weight);
           If(isOpen(closed, k), () => {
             open.addAssign(weight);
-            bent.addAssign(V.mul(theta.cos()).add(O.mul(sine)).mul(weight));
+            bent.addAssign(V.mul(fromV.x).add(O.mul(fromV.y)).mul(weight));
           });
+          for (const angle of [fromN, fromV]) angle.assign(turned(angle));
         });
       });
       const direction = select(open.greaterThan(all.mul(1e-3)), bent, N) as unknown as Vec3;
@@ -176,6 +180,12 @@ export function visibility(guide: Guide, numbers: Numbers, write: Write): Vec4 {
     write(result, mirrored);
     return result;
   });
+}
+
+/** Cosine and sine of an angle that is a sector larger. */
+function turned(angle: Vec2): Vec2 {
+  const [c, s] = [Math.cos(SECTOR), Math.sin(SECTOR)];
+  return vec2(angle.x.mul(c).sub(angle.y.mul(s)), angle.x.mul(s).add(angle.y.mul(c))) as unknown as Vec2;
 }
 
 /** The middle of a slice's sector, from the normal. */

@@ -17,8 +17,10 @@ import {
   RenderTarget,
   type Scene,
   type Side,
+  Vector3,
   type WebGPURenderer,
 } from 'three/webgpu';
+import type { Caster } from './casters.ts';
 import type { Tile } from './rows.ts';
 import { castingSide } from './sides.ts';
 
@@ -70,9 +72,10 @@ export class ShadowAtlas {
     camera: Camera,
     tile: Tile,
     isParallel: boolean,
-    casts: ReadonlySet<Mesh>,
+    casts: readonly Caster[],
   ): void {
     const { background } = scene;
+    const meshes = new Set(casts.map(({ mesh }) => mesh));
     const { autoClear } = three;
     const before = three.getRenderTarget();
     const draw = three.getRenderObjectFunction();
@@ -82,13 +85,13 @@ export class ShadowAtlas {
     three.setRenderTarget(this.target);
     this.#clear.render(three);
     three.setRenderObjectFunction((object, ofScene, ofCamera, geometry, material, ...rest) => {
-      if (!casts.has(object as Mesh)) return;
+      if (!meshes.has(object as Mesh)) return;
       three.renderObject(
         object,
         ofScene,
         ofCamera,
         geometry,
-        this.#material(material, object as Mesh, isParallel),
+        this.#material(material, object as Mesh, isParallel, isParallel || isOutside(object as Mesh, camera)),
         ...rest,
       );
     });
@@ -105,8 +108,8 @@ export class ShadowAtlas {
     for (const material of this.#made) material.dispose();
   }
 
-  #material(surface: Surface, { geometry }: Mesh, isParallel: boolean): NodeMaterial {
-    const side = castingSide(surface, geometry);
+  #material(surface: Surface, { geometry }: Mesh, isParallel: boolean, isOutside: boolean): NodeMaterial {
+    const side = castingSide(surface, geometry, isOutside);
     const isCut = surface.alphaTest > 0 || surface.transparent;
     const kind = `${side} ${isParallel}`;
     if (!isCut) {
@@ -144,6 +147,13 @@ export class ShadowAtlas {
     this.#made.push(material);
     return material;
   }
+}
+
+/** Whether a camera is not within a mesh's bounds. */
+function isOutside({ geometry, matrixWorld }: Mesh, camera: Camera): boolean {
+  const place = new Vector3().setFromMatrixPosition(camera.matrixWorld);
+  if (geometry.boundingBox === null) geometry.computeBoundingBox();
+  return !geometry.boundingBox?.containsPoint(place.applyMatrix4(matrixWorld.clone().invert()));
 }
 
 interface Packed {

@@ -17,7 +17,7 @@ import {
 type CastingMaterial = Material & Partial<Pick<NodeMaterial, 'opacityNode'>> & { alphaMap?: unknown };
 
 interface Known {
-  readonly mesh: Mesh;
+  readonly caster: Caster;
   readonly matrix: Matrix4;
   readonly geometry: BufferGeometry;
   readonly version: number;
@@ -37,25 +37,23 @@ export interface Caster {
 const FLAT = 1e-6;
 
 export class Casters {
+  /** Each the same object while its mesh is as it was. */
   list: readonly Caster[] = [];
-  #known: Known[] = [];
+  #known: ReadonlyMap<Mesh, Known> = new Map();
 
   /** Looks at the scene, whose world matrices are up to date. @returns whether anything has changed */
   update(scene: Scene): boolean {
     const meshes: Mesh[] = [];
     collect(scene, meshes);
-    const isSame =
-      meshes.length === this.#known.length && meshes.every((mesh, i) => same(this.#known[i] as Known, mesh));
-    if (isSame) return false;
-    this.#known = meshes.map((mesh) => ({
-      mesh,
-      matrix: mesh.matrixWorld.clone(),
-      geometry: mesh.geometry,
-      version: versionOf(mesh.geometry),
-      state: stateOf(mesh),
-    }));
-    this.list = meshes.map(casterOf);
-    return true;
+    const before = this.#known;
+    this.#known = new Map(
+      meshes.map((mesh) => {
+        const known = before.get(mesh);
+        return [mesh, known && same(known, mesh) ? known : knownOf(mesh)];
+      }),
+    );
+    this.list = [...this.#known.values()].map(({ caster }) => caster);
+    return before.size !== meshes.length || meshes.some((mesh) => before.get(mesh) !== this.#known.get(mesh));
   }
 }
 
@@ -104,8 +102,18 @@ function collect(object: Object3D, meshes: Mesh[]): void {
   for (const child of object.children) collect(child, meshes);
 }
 
+function knownOf(mesh: Mesh): Known {
+  return {
+    caster: casterOf(mesh),
+    matrix: mesh.matrixWorld.clone(),
+    geometry: mesh.geometry,
+    version: versionOf(mesh.geometry),
+    state: stateOf(mesh),
+  };
+}
+
 function same(known: Known, mesh: Mesh): boolean {
-  if (known.mesh !== mesh || known.geometry !== mesh.geometry) return false;
+  if (known.geometry !== mesh.geometry) return false;
   if (known.version !== versionOf(mesh.geometry) || !known.matrix.equals(mesh.matrixWorld)) return false;
   const state = stateOf(mesh);
   return known.state.every((value, i) => value === state[i]);

@@ -40,6 +40,9 @@ interface Situation {
   readonly reach: Float;
 }
 
+/** What a lamp's maps have in a direction. @param jitter in texels */
+type Look = (d: Vec3, jitter: Vec2) => Found;
+
 /** What of a caster is at a texel: a place relative to the light, and how large a texel is there. */
 interface Found {
   readonly place: Vec3;
@@ -122,6 +125,27 @@ export function look(
   };
 }
 
+/** Of a lamp that has one map. */
+function lookAhead(maps: Maps, { read }: Situation): Look {
+  const { place, bounds } = mapAt(read, int(0) as unknown as Int);
+  const perTexel = vec2(place.x.reciprocal().negate(), place.z.reciprocal()).toVar();
+  const finest = place.x.min(place.z.negate()).max(1e-20).reciprocal().toVar();
+  return (d, jitter) => {
+    const at = vec2(d.x.div(d.z.negate()).mul(place.x).add(place.y), d.y.div(d.z).mul(place.z).add(place.w));
+    // Behind it there is nothing.
+    const ahead = d.z.greaterThan(1e-30).select(at, vec2(-1)).toVar() as unknown as Vec2;
+    const texel = texelAt(ahead, jitter, bounds);
+    const found = distanceAt(maps, texel);
+    // Back from the texel's middle.
+    const direction = vec3(texel.add(0.5).sub(place.yw).mul(perTexel), 1).toVar();
+    const along = found.mul(dot(direction as unknown as Vec3, direction as unknown as Vec3).inverseSqrt());
+    return {
+      place: direction.mul(along.toVar()).toVar() as unknown as Vec3,
+      texel: along.mul(finest).toVar() as unknown as Float,
+    };
+  };
+}
+
 /**
  * Where blockers are on the way from the light (0) to the point (1), in the mean; -1 without any.
  *
@@ -130,7 +154,7 @@ export function look(
  * @param within whether what is so far off the way, as a part of the light's own size there, is before the light
  */
 function findBlocker(
-  maps: Maps,
+  lookFor: Look,
   s: Situation,
   samples: Float,
   noise: Float,
@@ -150,7 +174,7 @@ function findBlocker(
     const p = toLight(place(i, n)).toVar() as Vec3;
     const d = p.mul(open).add(s.x.mul(open.oneMinus())).toVar() as Vec3;
     const jitter = discPoint(n.sub(i).sub(1) as Float, n, noise).mul(FILTER) as Vec2;
-    const found = look(maps, s, d, jitter);
+    const found = lookFor(d, jitter);
     const at = share(found.place).toVar() as Float;
     If(at.lessThan(1).and(at.greaterThan(0)), () => {
       const offset = found.place.sub(s.x).toVar() as Vec3;
@@ -175,10 +199,11 @@ const POINT = [
   { name: 'normal', type: 'vec3' },
 ] as const;
 
-/** The part of a lamp's disc that a point sees. */
-export function lampFunction(maps: Maps) {
+/** The part of a lamp's disc that a point sees. @param isSingle whether it has one map, and not the faces of a cube */
+export function lampFunction(maps: Maps, isSingle: boolean) {
   return Fn(([row, position, normal, samples, noise]: [Int, Vec3, Vec3, Float, Float]) => {
     const s = situation(maps, row, position, normal);
+    const lookFor: Look = isSingle ? lookAhead(maps, s) : (d, jitter) => look(maps, s, d, jitter);
     const radius = s.origin.w.toVar() as Float;
     const towards = s.x.div(s.distance).toVar() as Vec3;
     const [e1, e2] = basis(towards);
@@ -186,7 +211,7 @@ export function lampFunction(maps: Maps) {
     const share = (place: Vec3) => dot(place, towards).div(s.distance) as Float;
     const nearest = s.read(4).x.div(s.distance).min(1).toVar() as Float;
     const blocker = findBlocker(
-      maps,
+      lookFor,
       s,
       samples,
       noise,
@@ -209,7 +234,7 @@ export function lampFunction(maps: Maps) {
           const isSeen = float(1).toVar();
           If(blocker.greaterThan(0), () => {
             const d = p.mul(open).add(s.x.mul(blocker)).toVar() as Vec3;
-            const found = look(maps, s, d, vec2(q.y, q.x.negate()).mul(FILTER) as unknown as Vec2);
+            const found = lookFor(d, vec2(q.y, q.x.negate()).mul(FILTER) as unknown as Vec2);
             const isNearer = share(found.place).lessThan(1);
             const offset = found.place.sub(s.x).toVar() as Vec3;
             If(isNearer.and(isAbove(offset, s.normal, s.distance, found.texel)), () => {
@@ -223,7 +248,7 @@ export function lampFunction(maps: Maps) {
     });
     return seen;
   }).setLayout({
-    name: 'lampSeen',
+    name: isSingle ? 'spotSeen' : 'lampSeen',
     type: 'float',
     inputs: [...POINT, ...FLOATS.map((name) => ({ name, type: 'float' as const }))],
   });
@@ -239,7 +264,7 @@ export function panelBlockerFunction(maps: Maps) {
       const nearest = s.read(4).x.div(s.x.z).min(1).toVar() as Float;
       result.assign(
         findBlocker(
-          maps,
+          (d, jitter) => look(maps, s, d, jitter),
           s,
           samples,
           noise,

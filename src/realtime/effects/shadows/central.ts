@@ -1,5 +1,5 @@
 /** Maps of a light that shines from a place: one, or the faces of a cube, no larger than what casts shadows needs. */
-import { type Camera, type CoordinateSystem, Matrix4, type Mesh, Vector3 } from 'three/webgpu';
+import { type Camera, type CoordinateSystem, Matrix4, Vector3 } from 'three/webgpu';
 import { type Caster, shadesNothing } from './casters.ts';
 import { mapCamera } from './map-camera.ts';
 import { axisOf, FACES, type Placement } from './rows.ts';
@@ -17,13 +17,14 @@ export interface CentralLight {
 
 export interface CentralMap {
   readonly placement: Placement;
+  /** What it may show. */
+  readonly casters: readonly Caster[];
   readonly camera: Camera;
 }
 
 export interface CentralFit {
   /** Of the nearest caster: its distance, or along z for a rectangle. */
   readonly nearest: number;
-  readonly casts: ReadonlySet<Mesh>;
   /** By face; null where nothing casts. */
   readonly maps: readonly (CentralMap | null)[];
 }
@@ -56,31 +57,34 @@ export function fitCentral(
   const maps = faces.map((face): CentralMap | null => {
     const { forward: f, right: r, up: u } = FACES[face] as (typeof FACES)[number];
     const axes = [axisOf(frame, r), axisOf(frame, u), axisOf(frame, f)] as const;
-    const window = windowOf(casting, position, axes, face === 0 ? reach : 1);
-    if (window === null) return null;
+    const found = windowOf(casting, position, axes, face === 0 ? reach : 1);
+    if (found === null) return null;
+    const { window, casters } = found;
     const edge = (value: number) => value * near;
     const [left, right] = window.u.map(edge) as [number, number];
     const [bottom, top] = window.v.map(edge) as [number, number];
     const view = new Matrix4().makeBasis(axes[0], axes[1], axes[2].clone().negate()).setPosition(position);
     const projection = new Matrix4().makePerspective(left, right, top, bottom, near, far, coordinateSystem);
     const camera = mapCamera(view, projection, coordinateSystem);
-    return { placement: window, camera };
+    return { placement: window, casters, camera };
   });
-  return { nearest, casts: new Set(casting.map(({ mesh }) => mesh)), maps };
+  return { nearest, maps };
 }
 
 type Axes = readonly [right: Vector3, up: Vector3, forward: Vector3];
 
-/** The tangents between which a face sees casters; null if it sees none. */
+/** The casters that a face sees, and the tangents between which it does; null if it sees none. */
 function windowOf(
   casters: readonly Caster[],
   position: Vector3,
   [right, up, forward]: Axes,
   reach: number,
-): Placement | null {
+): { window: Placement; casters: readonly Caster[] } | null {
   let [left, most, bottom, top] = [reach, -reach, reach, -reach];
   const offset = new Vector3();
-  for (const { corners } of casters) {
+  const seen: Caster[] = [];
+  for (const caster of casters) {
+    const { corners } = caster;
     let [l, r, b, t] = [Infinity, -Infinity, Infinity, -Infinity];
     let behind = 0;
     for (const corner of corners) {
@@ -97,15 +101,17 @@ function windowOf(
     // What reaches behind the camera may be anywhere.
     if (behind > 0) [l, r, b, t] = [-reach, reach, -reach, reach];
     if (l > reach || r < -reach || b > reach || t < -reach) continue;
+    seen.push(caster);
     [left, most, bottom, top] = [Math.min(left, l), Math.max(most, r), Math.min(bottom, b), Math.max(top, t)];
   }
   if (left >= most || bottom >= top) return null;
   const border = BORDER * Math.max(most - left, top - bottom);
   const clamp = (value: number) => Math.min(Math.max(value, -reach), reach);
-  return {
+  const window: Placement = {
     u: [clamp(left - border), clamp(most + border)],
     v: [clamp(bottom - border), clamp(top + border)],
   };
+  return { window, casters: seen };
 }
 
 function nearestOf(casters: readonly Caster[], position: Vector3): number {

@@ -5,7 +5,6 @@ import {
   type DirectionalLight,
   type Light,
   Matrix4,
-  type Mesh,
   type PerspectiveCamera,
   type PointLight,
   type RectAreaLight,
@@ -14,13 +13,13 @@ import {
 } from 'three/webgpu';
 import type { LightOf } from '../../../scene/light-schema.ts';
 import type { Document } from '../../../scene/schema.ts';
-import type { Casters } from './casters.ts';
+import type { Caster, Casters } from './casters.ts';
 import { type CentralLight, fitCentral } from './central.ts';
 import { fitParallel } from './parallel.ts';
 import type { Placement, Rows, Tile } from './rows.ts';
 
 /** How many squares of which size a light has. */
-export type Shape = 'single' | 'half' | 'cube' | 'cascades';
+export type Shape = 'single' | 'half' | 'cube' | 'cascades' | 'panel';
 
 /** Beyond this tangent a spot's single map would be coarse in its middle: the faces of a cube take over. */
 const WIDEST = Math.tan((55 * Math.PI) / 180);
@@ -41,7 +40,7 @@ export function squares(shape: Shape, { resolution, cascades }: AtlasSettings): 
   if (shape === 'single') return [resolution];
   if (shape === 'cascades') return Array.from({ length: cascades }, () => resolution);
   // A face of a cube sees a quarter of what surrounds it.
-  return (shape === 'half' ? HALF : CUBE).map(() => Math.ceil(resolution / 2));
+  return (shape === 'cube' ? CUBE : HALF).map(() => Math.ceil(resolution / 2));
 }
 
 /** The shapes of a document's shadowed lights, in order. */
@@ -56,7 +55,7 @@ export function shapesOf(lights: Document['lights']): Shape[] {
       case 'spot':
         return [spotShape(((light as LightOf<'spot'>).cutoff * Math.PI) / 180)];
       case 'rectangle':
-        return ['half'];
+        return ['panel'];
       default:
         return [];
     }
@@ -70,7 +69,7 @@ export function shapeOf(light: Light): Shape | null {
   const kind = light as Partial<DirectionalLight & PointLight & SpotLight & RectAreaLight>;
   if (kind.isDirectionalLight) return 'cascades';
   if (kind.isPointLight) return 'cube';
-  if (kind.isRectAreaLight) return 'half';
+  if (kind.isRectAreaLight) return 'panel';
   return kind.isSpotLight ? spotShape(kind.angle as number) : null;
 }
 
@@ -85,7 +84,7 @@ export interface DrawnMap {
   readonly tile: Tile;
   readonly camera: Camera;
   readonly isParallel: boolean;
-  readonly casts: ReadonlySet<Mesh>;
+  readonly casts: readonly Caster[];
 }
 
 export interface FitSettings extends AtlasSettings {
@@ -97,7 +96,8 @@ export interface FitSettings extends AtlasSettings {
 /** What a light's row said when it was last fitted, to see what has changed. */
 export class PlacedLight {
   #signature = '';
-  #drawn: string[] = [];
+  /** By tile. */
+  #drawn: readonly (Drawn | undefined)[] = [];
 
   constructor(
     readonly light: Light,
@@ -121,7 +121,7 @@ export class PlacedLight {
     ].join();
     const isSame = !haveChanged && signature === this.#signature;
     if (isSame && !isParallel) return [];
-    if (!isSame) this.#drawn = [];
+    if (signature !== this.#signature) this.#drawn = [];
     this.#signature = signature;
     return isParallel
       ? this.#parallel(casters, camera, settings, rows)
@@ -147,9 +147,7 @@ export class PlacedLight {
       const i = faces.indexOf(face);
       rows.setMap(place.row, face, place.tiles[Math.max(i, 0)] as Tile, fit.maps[i]?.placement ?? null);
     }
-    return fit.maps.flatMap((map, i) =>
-      map ? [{ tile: place.tiles[i] as Tile, camera: map.camera, isParallel: false, casts: fit.casts }] : [],
-    );
+    return this.#changed(fit.maps, '', false);
   }
 
   #parallel(
@@ -174,20 +172,43 @@ export class PlacedLight {
     rows.set(row, 1, axes[0] as Vector3, fit.maps.length);
     rows.set(row, 2, axes[1] as Vector3, fit.height);
     rows.set(row, 3, axes[2] as Vector3, fit.highest);
-    const drawn: DrawnMap[] = [];
-    const keys = fit.maps.map(({ placement }) => keyOf(placement));
-    for (const [i, tile] of tiles.entries()) {
-      const map = fit.maps[i];
-      rows.setMap(row, i, tile, map?.placement ?? null);
-      if (map && keys[i] !== this.#drawn[i])
-        drawn.push({ tile, camera: map.camera, isParallel: true, casts: fit.casts });
-    }
-    this.#drawn = keys;
-    return drawn;
+    for (const [i, tile] of tiles.entries()) rows.setMap(row, i, tile, fit.maps[i]?.placement ?? null);
+    // Distances are from there.
+    return this.#changed(fit.maps, `${fit.height}`, true);
+  }
+
+  /** Those of the maps that are not as they were drawn last. */
+  #changed(maps: readonly (FittedMap | null)[], key: string, isParallel: boolean): DrawnMap[] {
+    const before = this.#drawn;
+    this.#drawn = maps.map((map) => {
+      if (map === null) return undefined;
+      const { u, v } = map.placement;
+      return { key: [key, ...u, ...v].join(), casters: map.casters };
+    });
+    return maps.flatMap((map, i) => {
+      if (map === null || sameDrawn(before[i], this.#drawn[i])) return [];
+      const tile = this.place.tiles[i] as Tile;
+      return [{ tile, camera: map.camera, isParallel, casts: map.casters }];
+    });
   }
 }
 
-const keyOf = ({ u, v }: Placement): string => [...u, ...v].join();
+interface FittedMap {
+  readonly placement: Placement;
+  readonly camera: Camera;
+  readonly casters: readonly Caster[];
+}
+
+/** What a map shows: the place of its window, and what is in it. */
+interface Drawn {
+  readonly key: string;
+  readonly casters: readonly Caster[];
+}
+
+const sameDrawn = (a: Drawn | undefined, b: Drawn | undefined): boolean =>
+  a?.key === b?.key &&
+  a?.casters.length === b?.casters.length &&
+  (a?.casters.every((caster, i) => caster === b?.casters[i]) ?? true);
 
 function targetOf(light: Light): Vector3 {
   const { target } = light as Partial<DirectionalLight>;
@@ -207,7 +228,7 @@ function shapeNumbers(light: Light): number[] {
 
 function centralLight(light: Light, shape: Shape): CentralLight {
   const position = new Vector3().setFromMatrixPosition(light.matrixWorld);
-  const faces = shape === 'single' ? [0] : shape === 'half' ? HALF : CUBE;
+  const faces = shape === 'single' ? [0] : shape === 'cube' ? CUBE : HALF;
   const { isRectAreaLight, isSpotLight, angle } = light as Partial<RectAreaLight & SpotLight>;
   if (isRectAreaLight) {
     const axis = (i: number) => new Vector3().setFromMatrixColumn(light.matrixWorld, i).normalize();

@@ -1,9 +1,9 @@
 /** Maps of a light from far away: cascades about the camera, and one of all that casts shadows. */
 import {
+  Box3,
   type Camera,
   type CoordinateSystem,
   Matrix4,
-  type Mesh,
   type PerspectiveCamera,
   Vector3,
 } from 'three/webgpu';
@@ -13,11 +13,12 @@ import type { Placement } from './rows.ts';
 
 export interface ParallelMap {
   readonly placement: Placement;
+  /** What it may show. */
+  readonly casters: readonly Caster[];
   readonly camera: Camera;
 }
 
 export interface ParallelFit {
-  readonly casts: ReadonlySet<Mesh>;
   /** Along the frame's z: of the maps' cameras, and of the highest caster. */
   readonly height: number;
   readonly highest: number;
@@ -51,17 +52,16 @@ export function fitParallel(
   const toFrame = frame.clone().invert();
   const towards = new Vector3().setFromMatrixColumn(frame, 2);
   const casting = casters.filter((caster) => !shadesNothing(caster, towards, true, casters));
-  const casts = new Set(casting.map(({ mesh }) => mesh));
-  if (casting.length === 0) return { casts, height: 0, highest: 0, maps: [] };
+  if (casting.length === 0) return { height: 0, highest: 0, maps: [] };
   const low = new Vector3(Infinity, Infinity, Infinity);
   const high = low.clone().negate();
-  const place = new Vector3();
-  for (const { corners } of casting) {
-    for (const corner of corners) {
-      place.copy(corner).applyMatrix4(toFrame);
-      low.min(place);
-      high.max(place);
-    }
+  const bounds = casting.map((caster) => ({
+    caster,
+    box: new Box3().setFromPoints(caster.corners.map((corner) => corner.clone().applyMatrix4(toFrame))),
+  }));
+  for (const { box } of bounds) {
+    low.min(box.min);
+    high.max(box.max);
   }
   const depth = high.z - low.z;
   // The cameras' planes are beyond the casters, by more than float32 may be off.
@@ -83,10 +83,14 @@ export function fitParallel(
   windows.push(whole);
   const maps = windows.map((placement) => ({
     placement,
+    casters: bounds.filter(({ box }) => overlaps(box, placement)).map(({ caster }) => caster),
     camera: parallelCamera(frame, placement, height, range, settings.coordinateSystem),
   }));
-  return { casts, height, highest: high.z, maps };
+  return { height, highest: high.z, maps };
 }
+
+const overlaps = ({ min, max }: Box3, { u, v }: Placement): boolean =>
+  max.x >= u[0] && min.x <= u[1] && max.y >= v[0] && min.y <= v[1];
 
 /** Between which distances shadows are looked at: in steps, so that they hold while the camera moves. */
 function viewDistances(

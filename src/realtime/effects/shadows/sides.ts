@@ -8,33 +8,39 @@ interface SidedMaterial {
 /**
  * The faces that a map is drawn of, for a camera at the light. A path tracer's rays run from the surface to the light, and
  * meet the front faces of what has one side: those that face away from the light. Of a closed body the faces
- * towards the light keep off the same light, and do so where the body stands on something, too.
+ * towards the light keep off the same light, and do so where the body stands on something, too; from outside they are all
+ * that is seen of it.
+ *
+ * @param isOutside whether the light is outside the mesh
  */
-export function castingSide(material: SidedMaterial, geometry: BufferGeometry): Side {
-  if (material.side === DoubleSide || isClosed(geometry)) return DoubleSide;
+export function castingSide(material: SidedMaterial, geometry: BufferGeometry, isOutside: boolean): Side {
+  const volume = volumeOf(geometry);
+  if (volume !== 0 && isOutside) return volume > 0 ? FrontSide : BackSide;
+  if (material.side === DoubleSide || volume !== 0) return DoubleSide;
   return material.side === FrontSide ? BackSide : FrontSide;
 }
 
-const closed = new WeakMap<BufferGeometry, { version: number; closed: boolean }>();
+const volumes = new WeakMap<BufferGeometry, { version: number; volume: number }>();
 
 /** Of the integrals below, over the surface times its size. */
 const TOLERANCE = 1e-4;
 
 /**
- * Whether a mesh is the surface of a body. Of such, and of hardly anything else, the integral of the normal is 0, and that of
- * the outer product of place and normal is the volume times the identity (both by the divergence theorem).
+ * The volume of a mesh that is the surface of a body, below 0 if its faces are turned inwards; of another 0. Of a body's
+ * surface, and of hardly anything else, the integral of the normal is 0, and that of the outer product of place and normal is
+ * the volume times the identity (both by the divergence theorem).
  */
-export function isClosed(geometry: BufferGeometry): boolean {
+export function volumeOf(geometry: BufferGeometry): number {
   const positions = geometry.getAttribute('position');
   const version = 'version' in positions ? positions.version : 0;
-  const known = closed.get(geometry);
-  if (known?.version === version) return known.closed;
-  const result = integrate(geometry);
-  closed.set(geometry, { version, closed: result });
-  return result;
+  const known = volumes.get(geometry);
+  if (known?.version === version) return known.volume;
+  const volume = integrate(geometry);
+  volumes.set(geometry, { version, volume });
+  return volume;
 }
 
-function integrate(geometry: BufferGeometry): boolean {
+function integrate(geometry: BufferGeometry): number {
   const positions = geometry.getAttribute('position');
   const { index } = geometry;
   const count = index ? index.count : positions.count;
@@ -61,12 +67,10 @@ function integrate(geometry: BufferGeometry): boolean {
       for (let j = 0; j < 3; j++) moment[3 * k + j]! += centre * n[j]!;
     }
   }
-  if (area === 0) return false;
+  if (area === 0) return 0;
   const volume = (moment[0]! + moment[4]! + moment[8]!) / 3;
   const off = moment.map((m, i) => Math.abs(m - (i % 4 === 0 ? volume : 0)));
-  return (
-    Math.max(...normal.map(Math.abs)) <= TOLERANCE * area &&
-    Math.max(...off) <= TOLERANCE * area * size &&
-    volume !== 0
-  );
+  const isClosed =
+    Math.max(...normal.map(Math.abs)) <= TOLERANCE * area && Math.max(...off) <= TOLERANCE * area * size;
+  return isClosed ? volume : 0;
 }

@@ -78,7 +78,9 @@ export class Denoiser {
     );
     const place = uv() as Vec2;
     const own = at(this.#filtered.wide, place);
-    this.#sum = new Pass('traced light', vec4(own.rgb.add(at(this.#filtered.sharp, place).rgb), own.a));
+    this.#sum = new Pass('traced light', vec4(own.rgb.add(at(this.#filtered.sharp, place).rgb), own.a), {
+      isBlended: false,
+    });
   }
 
   /** Incident radiance of both kinds, and the distance along the view. */

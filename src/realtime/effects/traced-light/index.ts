@@ -16,6 +16,9 @@ import { TracePass } from './trace-pass.ts';
 
 type Vec3 = Node<'vec3'>;
 
+/** After as many, noise is where it was. */
+const FRAMES = 256;
+
 type Groups = readonly EffectSettings['effects']['reflections'][];
 
 /** The groups that are switched on. */
@@ -33,6 +36,7 @@ class TracedLightEffect implements Effect {
     rays: uniform(4),
     steps: uniform(32),
     thickness: uniform(0.5),
+    frame: uniform(0),
     hasHistory: uniform(0),
   };
   #denoises = true;
@@ -73,6 +77,8 @@ class TracedLightEffect implements Effect {
     const { x: width, y: height } = this.#inputs.size.value;
     const isKnown = !this.#inputs.isCut && this.#history.isOf(width, height);
     this.#numbers.hasHistory.value = Number(isKnown);
+    // Noise that nothing gathers stays where it is.
+    this.#numbers.frame.value = this.#denoises ? this.#inputs.frameIndex.value % FRAMES : 0;
     const { x, y } = this.#guide.size.value;
     const found = this.#trace.render(renderer, scene, camera, x, y);
     this.#denoiser.render(renderer, found, this.#denoises, !isKnown);

@@ -44,6 +44,8 @@ export interface TraceSettings extends March {
   readonly rays: Float;
   readonly reflections: boolean;
   readonly indirectLight: boolean;
+  /** Its number, by which noise is moved; always the same where no frames are gathered. */
+  readonly frame: Float;
   /** 1 where there is a last frame, else 0. */
   readonly hasHistory: Float;
 }
@@ -58,9 +60,8 @@ export class TracePass {
       Vec4 & Assignable,
       Vec4 & Assignable,
     ];
-    const { rays, reflections, indirectLight, hasHistory } = settings;
+    const { rays, reflections, indirectLight, frame, hasHistory } = settings;
     const pixel = (screenUV as unknown as Vec2).mul(guide.size).floor() as Vec2;
-    const frame = (inputs.frameIndex as unknown as Node<'uint'>).mod(256).toFloat() as unknown as Float;
     const ownDistance = (positionView as Vec3).z.negate() as Float;
     const rayTracer: RayTracer = {
       rays,

@@ -2,14 +2,12 @@
  * Short shadows where things touch: from each point that is shaded a few centimetres towards the lamp through what the
  * picture shows. Shadow maps are too coarse for these, and need a distance from the surface that cuts them off.
  */
-import { float, If, normalViewGeometry, positionView, screenUV, uniform, vec2 } from 'three/tsl';
+import { float, If, uniform, vec2 } from 'three/tsl';
 import type { Node, WebGPURenderer } from 'three/webgpu';
-import type { FrameContext } from '../../material/frame-context.ts';
-import { repeat } from '../../material/statements.ts';
-import type { Effect, EffectDefinition, EffectSettings } from '../frame/effect.ts';
-import type { FrameInputs } from '../frame/inputs.ts';
-import { type Guide, inline, ndcOf, placeOf, releaseGuide, takeGuide } from './screen-space/guide.ts';
-import { gradientNoise } from './screen-space/noise.ts';
+import { repeat } from '../../../material/statements.ts';
+import type { Effects } from '../../../scene/effects-schema.ts';
+import type { FrameInputs } from '../../frame/inputs.ts';
+import { type Guide, inline, ndcOf, placeOf, releaseGuide, takeGuide } from '../screen-space/guide.ts';
 
 type Float = Node<'float'>;
 type Vec2 = Node<'vec2'>;
@@ -21,8 +19,7 @@ const ABOVE = 2e-3;
 /** The last part of the length, over which what is found counts less and less. */
 const FADE = 0.3;
 
-class ContactShadows implements Effect {
-  readonly context: FrameContext;
+export class ContactShadows {
   readonly #inputs: FrameInputs;
   readonly #guide: Guide;
   readonly #length = uniform(0.1);
@@ -32,16 +29,15 @@ class ContactShadows implements Effect {
   constructor(inputs: FrameInputs) {
     this.#inputs = inputs;
     this.#guide = takeGuide(inputs, 1);
-    this.context = { contactShadow: (L) => this.#lit(L) };
   }
 
-  update({ effects: { contactShadows } }: EffectSettings): void {
-    this.#length.value = contactShadows.length;
-    this.#thickness.value = contactShadows.thickness;
-    this.#steps.value = contactShadows.steps;
+  update({ length, thickness, steps }: Effects['contactShadows']): void {
+    this.#length.value = length;
+    this.#thickness.value = thickness;
+    this.#steps.value = steps;
   }
 
-  beforeScene(renderer: WebGPURenderer): void {
+  render(renderer: WebGPURenderer): void {
     this.#guide.render(renderer);
   }
 
@@ -49,16 +45,16 @@ class ContactShadows implements Effect {
     releaseGuide(this.#inputs, this.#guide);
   }
 
-  /** The part of a lamp's light that arrives. */
-  #lit(L: Vec3): Float {
+  /**
+   * The part of a lamp's light that arrives.
+   *
+   * @param P the point that is shaded, N its normal, L the direction to the lamp; in view space
+   * @param shift 0..1, by which the steps are moved
+   */
+  lit(P: Vec3, N: Vec3, L: Vec3, shift: Float): Float {
     const guide = this.#guide;
     return inline(() => {
-      const P = (positionView as Vec3).toVar() as Vec3;
-      const N = (normalViewGeometry as unknown as Vec3).toVar() as Vec3;
       const least = P.z.mul(-ABOVE).toVar() as Float;
-      const shift = gradientNoise(
-        (screenUV as unknown as Vec2).mul(guide.size).floor() as Vec2,
-      ).toVar() as Float;
       const blocked = float(0).toVar() as Float;
       repeat(this.#steps as unknown as Float, (i) => {
         const t = i.add(shift).add(0.5).div(this.#steps).min(1).toVar() as Float;
@@ -84,10 +80,3 @@ class ContactShadows implements Effect {
     });
   }
 }
-
-export const contactShadows: EffectDefinition = {
-  name: 'contactShadows',
-  isOn: ({ effects }) => effects.contactShadows.enabled,
-  needsSurfaces: true,
-  build: (inputs) => new ContactShadows(inputs),
-};
