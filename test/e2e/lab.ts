@@ -156,7 +156,10 @@ export class LabPage {
 
   /** Waits until an expression is true. Asked from outside: the page's policy lets no text become script in it. */
   async until(expression: string): Promise<void> {
-    await expect.poll(() => this.page.evaluate(expression), { timeout: 60_000, interval: 30 }).toBe(true);
+    await vi.waitFor(async () => expect(await this.page.evaluate(expression)).toBe(true), {
+      timeout: 60_000,
+      interval: 30,
+    });
   }
 
   /** Lets files fall on the page, or on one element of it. */
