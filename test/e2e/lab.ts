@@ -3,7 +3,7 @@ import { readdirSync, readFileSync, statSync } from 'node:fs';
 import { join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import type { BrowserContext, Page } from 'playwright-core';
-import { afterAll, expect } from 'vitest';
+import { afterAll, expect, vi } from 'vitest';
 import { startStaticServer } from '../../src/cli/static-server.ts';
 import { pageHeaders } from '../../src/page-policy.ts';
 import type { Document } from '../../src/scene/schema.ts';
