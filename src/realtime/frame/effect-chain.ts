@@ -17,8 +17,9 @@ export class EffectChain {
   /** Told when an effect has drawn what it draws at one of its places in the frame. */
   readonly #onDrawn: (effect: EffectName) => void;
   #entries: readonly Entry[] = [];
-  /** What all materials are told. */
+  /** What all materials are told, and the node that tells them. */
   #told: Readonly<Record<string, unknown>> = {};
+  #context = context(this.#told) as WebGPURenderer['contextNode'];
 
   constructor(inputs: FrameInputs, onDrawn: (effect: EffectName) => void = () => {}) {
     this.#inputs = inputs;
@@ -43,9 +44,12 @@ export class EffectChain {
     for (const { effect } of this.#entries) effect.update?.(settings as EffectSettings);
     // Materials are compiled anew where it differs: only when what they are told does.
     const told = Object.assign({}, ...this.#entries.map(({ effect }) => effect.context ?? {}), more);
-    if (sameEntries(this.#told, told)) return;
-    this.#told = told;
-    three.contextNode = context(told) as typeof three.contextNode;
+    if (!sameEntries(this.#told, told)) {
+      this.#told = told;
+      this.#context = context(told) as WebGPURenderer['contextNode'];
+    }
+    // Another renderer beside this one may have drawn since: materials would be told of its frames.
+    three.contextNode = this.#context;
   }
 
   get needsSurfaces(): boolean {

@@ -37,7 +37,7 @@ export const MASKED_LAMPS = GROUP * GROUPS;
 /** What a lamp does not get that the point turns its back on: it tells little about the points around it. */
 const AWAY = -1;
 const AWAY_WEIGHT = 0.1;
-/** The weight of a neighbour beside the pixel's own texel, if both are of the same surface. */
+/** The weight of a neighbour, as a part of what the pixel's own texel lacks of its whole one. */
 const BESIDE = 0.02;
 /** Differences of distance within one surface, as a part of the distance, beside what its slope makes. */
 const TOLERANCE = 0.005;
@@ -155,26 +155,30 @@ function gathered({ size }: FrameInputs, texel: (place: Vec2) => Vec4): Vec3 {
       .mul(2)
       .add(distance.mul(TOLERANCE))
       .toVar() as unknown as Float;
-    const sum = vec3(0).toVar();
-    const weights = vec3(0).toVar();
+    const weighed = (x: number, y: number) => {
+      const found = texel(pixel.add(vec2(x, y)).div(size) as Vec2).toVar() as Vec4;
+      const off = found.w.sub(distance).div(tolerance).toVar() as Float;
+      // Never 0: a fragment that no texel belongs to takes the mean.
+      const alike = exp2(off.mul(off).negate()).max(1e-5) as Float;
+      const isAway = found.xyz.lessThan(vec3(0));
+      const weight = select(isAway as never, vec3(AWAY_WEIGHT), vec3(1)).mul(alike as never);
+      return { light: found.xyz.max(0) as Vec3, weight: (weight as unknown as Vec3).toVar() as Vec3 };
+    };
+    const own = weighed(0, 0);
+    const sum = own.light.mul(own.weight).toVar();
+    const weights = own.weight.toVar();
+    // What is known of the point itself is all that counts: neighbours may be of another surface as far away.
+    const lack = own.weight.oneMinus().mul(BESIDE).toVar() as Vec3;
     for (const [x, y] of [
-      [0, 0],
       [-1, 0],
       [1, 0],
       [0, -1],
       [0, 1],
     ] as const) {
-      const found = texel(pixel.add(vec2(x, y)).div(size) as Vec2).toVar() as Vec4;
-      const off = found.w.sub(distance).div(tolerance).toVar() as Float;
-      // Never 0: a fragment that no texel belongs to takes the mean.
-      const alike = exp2(off.mul(off).negate())
-        .add(1e-5)
-        .mul(x === 0 && y === 0 ? 1 : BESIDE)
-        .toVar() as unknown as Float;
-      const isAway = found.xyz.lessThan(vec3(0));
-      const weight = alike.mul(select(isAway as never, vec3(AWAY_WEIGHT), vec3(1)) as never).toVar();
-      sum.addAssign(found.xyz.max(0).mul(weight));
-      weights.addAssign(weight);
+      const { light, weight } = weighed(x, y);
+      const part = weight.mul(lack).toVar() as Vec3;
+      sum.addAssign(light.mul(part));
+      weights.addAssign(part);
     }
     return sum.div(weights) as unknown as Vec3;
   });
