@@ -8,55 +8,20 @@ import {
   AddEquation,
   CustomBlending,
   LessDepth,
-  type Material,
   type Mesh,
   type Node,
   NodeMaterial,
   OneFactor,
-  type Side,
   Vector3,
 } from 'three/webgpu';
+import { CastingMaterials, type CastingSurface } from '../effects/shadows/casting-materials.ts';
 import { castingSide } from '../effects/shadows/sides.ts';
-
-type Surface = Material & Partial<Pick<NodeMaterial, 'opacityNode'>> & { alphaMap?: unknown };
 
 export class ProjectedMaterials {
   /** Of the direction that is drawn. */
   readonly color = uniform(new Vector3());
   readonly depth = uniform(1);
-  readonly #plain = new Map<Side, NodeMaterial>();
-  #cut = new WeakMap<Material, { key: string; material: NodeMaterial }>();
-  readonly #made: NodeMaterial[] = [];
-
-  /** For a mesh with a material of its own. */
-  for(surface: Surface, { geometry }: Mesh): NodeMaterial {
-    const side = castingSide(surface, geometry, false);
-    if (surface.alphaTest <= 0 && !surface.transparent) {
-      const material = this.#plain.get(side) ?? this.#make(side);
-      this.#plain.set(side, material);
-      return material;
-    }
-    const key = `${side} ${surface.version} ${surface.transparent}`;
-    let entry = this.#cut.get(surface);
-    if (entry?.key !== key) {
-      const material = this.#make(side);
-      // What is blended keeps off a part of the light: the same part of its texels is left out.
-      material.alphaHash = surface.transparent;
-      material.opacityNode = surface.opacityNode ?? null;
-      Object.assign(material, { alphaMap: surface.alphaMap ?? null });
-      entry = { key, material };
-      this.#cut.set(surface, entry);
-    }
-    entry.material.alphaTest = surface.transparent ? 0 : surface.alphaTest;
-    entry.material.opacity = surface.opacity;
-    return entry.material;
-  }
-
-  dispose(): void {
-    for (const material of this.#made) material.dispose();
-  }
-
-  #make(side: Side): NodeMaterial {
+  readonly #materials = new CastingMaterials<'direction'>((side) => {
     const material = new NodeMaterial();
     material.name = 'sky shadow';
     material.side = side;
@@ -68,7 +33,15 @@ export class ProjectedMaterials {
     material.blendEquation = AddEquation;
     material.blendSrc = OneFactor;
     material.blendDst = OneFactor;
-    this.#made.push(material);
     return material;
+  });
+
+  /** For a mesh with a material of its own. */
+  for(surface: CastingSurface, { geometry }: Mesh): NodeMaterial {
+    return this.#materials.of(surface, castingSide(surface, geometry, false), 'direction');
+  }
+
+  dispose(): void {
+    this.#materials.dispose();
   }
 }

@@ -7,7 +7,6 @@ import {
   AlwaysDepth,
   type Camera,
   FloatType,
-  type Material,
   type Mesh,
   NearestFilter,
   type Node,
@@ -16,11 +15,11 @@ import {
   RedFormat,
   RenderTarget,
   type Scene,
-  type Side,
   Vector3,
   type WebGPURenderer,
 } from 'three/webgpu';
 import type { Caster } from './casters.ts';
+import { CastingMaterials } from './casting-materials.ts';
 import type { Tile } from './rows.ts';
 import { castingSide } from './sides.ts';
 
@@ -30,15 +29,20 @@ export const NOTHING = 1e15;
 /** Texels along a side that every GPU has, and what is not to be exceeded: 128 MiB with the depth buffer. */
 const MAX_SIDE = 4096;
 
-type Surface = Material & Partial<Pick<NodeMaterial, 'opacityNode'>> & { alphaMap?: unknown };
-
 export class ShadowAtlas {
   readonly target: RenderTarget;
   readonly tiles: readonly Tile[];
   readonly #clear = new QuadMesh(new NodeMaterial());
-  readonly #plain = new Map<string, NodeMaterial>();
-  #cut = new WeakMap<Material, { key: string; material: NodeMaterial }>();
-  readonly #made: NodeMaterial[] = [];
+  readonly #materials = new CastingMaterials<'parallel' | 'central'>((side, kind) => {
+    const material = new NodeMaterial();
+    material.name = 'shadows';
+    material.side = side;
+    const P = positionView as Node<'vec3'>;
+    const distance = kind === 'parallel' ? P.z.negate() : P.length();
+    // Its alpha is for what cuts holes.
+    material.colorNode = vec4(distance, 0, 0, 1) as unknown as NodeMaterial['colorNode'];
+    return material;
+  });
 
   /** @param sizes of the maps' squares, in texels; all are halved until they fit */
   constructor(sizes: readonly number[]) {
@@ -86,14 +90,9 @@ export class ShadowAtlas {
     this.#clear.render(three);
     three.setRenderObjectFunction((object, ofScene, ofCamera, geometry, material, ...rest) => {
       if (!meshes.has(object as Mesh)) return;
-      three.renderObject(
-        object,
-        ofScene,
-        ofCamera,
-        geometry,
-        this.#material(material, object as Mesh, isParallel, isParallel || isOutside(object as Mesh, camera)),
-        ...rest,
-      );
+      const side = castingSide(material, geometry, isParallel || isOutside(object as Mesh, camera));
+      const casting = this.#materials.of(material, side, isParallel ? 'parallel' : 'central');
+      three.renderObject(object, ofScene, ofCamera, geometry, casting, ...rest);
     });
     three.render(scene, camera);
     three.setRenderObjectFunction(draw);
@@ -105,47 +104,7 @@ export class ShadowAtlas {
   dispose(): void {
     this.target.dispose();
     (this.#clear.material as NodeMaterial).dispose();
-    for (const material of this.#made) material.dispose();
-  }
-
-  #material(surface: Surface, { geometry }: Mesh, isParallel: boolean, isOutside: boolean): NodeMaterial {
-    const side = castingSide(surface, geometry, isOutside);
-    const isCut = surface.alphaTest > 0 || surface.transparent;
-    const kind = `${side} ${isParallel}`;
-    if (!isCut) {
-      let material = this.#plain.get(kind);
-      if (!material) {
-        material = this.#make(side, isParallel);
-        this.#plain.set(kind, material);
-      }
-      return material;
-    }
-    const key = `${kind} ${surface.version} ${surface.transparent}`;
-    let entry = this.#cut.get(surface);
-    if (entry?.key !== key) {
-      const material = this.#make(side, isParallel);
-      // What is blended keeps off a part of the light: the same part of its texels is left out.
-      material.alphaHash = surface.transparent;
-      material.opacityNode = surface.opacityNode ?? null;
-      Object.assign(material, { alphaMap: surface.alphaMap ?? null });
-      entry = { key, material };
-      this.#cut.set(surface, entry);
-    }
-    entry.material.alphaTest = surface.transparent ? 0 : surface.alphaTest;
-    entry.material.opacity = surface.opacity;
-    return entry.material;
-  }
-
-  #make(side: Side, isParallel: boolean): NodeMaterial {
-    const material = new NodeMaterial();
-    material.name = 'shadows';
-    material.side = side;
-    const P = positionView as Node<'vec3'>;
-    const distance = isParallel ? P.z.negate() : P.length();
-    // Its alpha is for what cuts holes.
-    material.colorNode = vec4(distance, 0, 0, 1) as unknown as NodeMaterial['colorNode'];
-    this.#made.push(material);
-    return material;
+    this.#materials.dispose();
   }
 }
 
