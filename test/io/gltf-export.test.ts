@@ -98,6 +98,15 @@ describe('a GLB of a scene, read again', () => {
       expect(distance(values, after.get(name) ?? []), name).toBeLessThan(1e-5);
   });
 
+  test('has nothing of the ground that shows shadows', async () => {
+    const ground = { shadowCatcher: true, height: -1 };
+    const [without, with_] = await Promise.all(
+      [sample, { ...sample, ground: { ...sample.ground, ...ground } }].map((it) => exportGltf(it, assets)),
+    );
+    // Byte by byte, but not by an assertion for each of them.
+    expect(Buffer.compare(with_!.bytes, without!.bytes)).toBe(0);
+  });
+
   test('has visibility, lights and the camera', async () => {
     const { document, lost } = await again(sample);
     expect(Object.values(document.objects).map(({ visible }) => visible)).toEqual([true, true, false]);

@@ -1,6 +1,10 @@
+import { Vector3 } from 'three/webgpu';
 import { expect, test, vi } from 'vitest';
+import { boundsOf } from '../../src/editor/viewport/navigation/bounds.ts';
+import { pickAlong, rayAt } from '../../src/editor/viewport/selecting/picking.ts';
 import { CatcherMaterial } from '../../src/realtime/ground/catcher-material.ts';
 import type { Document } from '../../src/scene/schema.ts';
+import { SHOWN } from '../../src/scene/stage-schema.ts';
 import { material, scene } from '../pathtracer/scenes.ts';
 import { trace } from '../pathtracer/tracer.ts';
 import { frameMaker } from './effects/frames.ts';
@@ -96,6 +100,45 @@ test('its sliders compile nothing', async () => {
     renderer.render(mirror, { ...document, ground }, size);
   }
   expect(setUp).not.toHaveBeenCalled();
+  mirror.dispose();
+});
+
+test('a click on it meets nothing, what is framed does not reach it', async () => {
+  const { renderer } = maker;
+  const { ball, box } = stage({}).objects;
+  // Of few triangles: larger meshes are looked at by a worker of the page.
+  const objects = {
+    box,
+    ball: { ...ball, geometry: { ...ball!.geometry, widthSegments: 16, heightSegments: 8 } },
+  };
+  const document = stage({ objects, ground: { shadowCatcher: true, height: -3 } });
+  const mirror = await maker.mirror(document);
+  renderer.render(mirror, document, { width: 32, height: 16 });
+  expect(pickAlong(mirror, rayAt(mirror, -0.9, -0.9))).toEqual([]);
+  const onBall = new Vector3(-0.7, 0.5, 0).project(mirror.camera);
+  expect(pickAlong(mirror, rayAt(mirror, onBall.x, onBall.y))).toMatchObject([{ id: 'ball' }]);
+  const framed = boundsOf(document, mirror, []);
+  expect(framed.min.y).toBeCloseTo(0, 5);
+  expect(framed.getSize(new Vector3()).length()).toBeLessThan(5);
+  mirror.dispose();
+});
+
+test('every view of what is behind the picture is finite; of them luminance alone has the shadows', async () => {
+  const { renderer } = maker;
+  const size = { width: 48, height: 32 };
+  const document = stage({ lights: { lamp: lamps.sun } });
+  const mirror = await maker.mirror(document);
+  const draw = async (show: (typeof SHOWN)[number], shadowCatcher: boolean) => {
+    const view = { ...document.view, show };
+    renderer.render(mirror, { ...document, view, ground: { ...document.ground, shadowCatcher } }, size);
+    return { radiance: (await renderer.readRadiance()).pixels, image: await renderer.readImage(view) };
+  };
+  for (const show of SHOWN) {
+    const [withGround, without] = [await draw(show, true), await draw(show, false)];
+    expect(withGround.radiance.every(Number.isFinite), show).toBe(true);
+    const differs = withGround.image.some((value, i) => value !== without.image[i]);
+    expect(differs, show).toBe(show === 'picture' || show === 'luminance');
+  }
   mirror.dispose();
 });
 
