@@ -148,6 +148,25 @@ test('an even sky', async () => {
   expect(found.error).toBeLessThan(0.01);
 });
 
+test('where all light is kept off nothing is left of any colour', async () => {
+  const box = { azimuth: 60, elevation: 50, width: 90, height: 70, luminance: 8, color: [1, 0.93, 0.55] };
+  const document = stage({
+    environment: { source: { type: 'studio', dome: 0.3, boxes: [box] } },
+    camera: { fov: 20, position: [0, 1.5, 0.3], target: [0, 0, 0] },
+    ground: { shadowCatcher: true, height: 0.5 },
+    objects: {
+      room: {
+        name: 'room',
+        material: 'm',
+        position: [0, 1, 0],
+        geometry: { type: 'box', width: 2, height: 2, depth: 2 },
+      },
+    },
+  });
+  const { pixels } = await maker.draw(document);
+  expect(Math.max(...pixels.filter((_, i) => i % 4 < 3))).toBeLessThan(0.003);
+});
+
 test('a studio with a lamp, in a transparent picture', async () => {
   const box = { azimuth: 60, elevation: 40, width: 50, height: 50, luminance: 8, color: [1, 0.6, 0.3] };
   const document = stage({

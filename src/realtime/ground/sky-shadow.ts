@@ -20,6 +20,7 @@ import {
   WebGLCoordinateSystem,
   type WebGPURenderer,
 } from 'three/webgpu';
+import { luminance } from '../../color/rec709.ts';
 import type { Caster } from '../effects/shadows/casters.ts';
 import { mapCamera } from '../effects/shadows/map-camera.ts';
 import { type Bounds, topOf } from './place.ts';
@@ -34,6 +35,11 @@ type Vec3 = Node<'vec3'>;
 const SIDE = 512;
 /** Directions after which nothing is gained that could be seen. */
 const DIRECTIONS = 256;
+/**
+ * What the map's sums are counted in: half floats hold sums of these up to 512 exactly. Colours as they are would be rounded
+ * with each direction, always the same way, which tints deep shadows.
+ */
+const STEP = 1 / 4;
 /** Beside the objects the map has as much as this many times their height: a ball's shadow is below 1 % there. */
 const MARGIN = 3;
 /** The outer part of the map in which shadows fade, so that none ends at an edge. */
@@ -56,6 +62,8 @@ export class SkyShadow {
   /** One over the sum of the directions' colours; 0 while there is none. */
   readonly #unit = uniform(new Vector3());
   readonly #weights = new Vector3();
+  /** By how much the colours of the directions so far were more than was counted. */
+  readonly #owed = new Vector3();
   #height = 0;
   #top = 0;
   #casts: ReadonlySet<Mesh> = new Set();
@@ -96,6 +104,7 @@ export class SkyShadow {
     this.#perFrame = Math.floor(Math.min(Math.max(affordable, PER_FRAME[0]), PER_FRAME[1]));
     this.#unit.value.set(0, 0, 0);
     this.#weights.set(0, 0, 0);
+    this.#owed.set(0, 0, 0);
     this.#done = this.#casts.size === 0 ? DIRECTIONS : 0;
   }
 
@@ -135,12 +144,22 @@ export class SkyShadow {
       return;
     }
     const { color, depth } = this.#materials;
-    color.value.fromArray(found.color);
+    this.#count(color.value, found.color, sky);
     depth.value = 1 - (this.#done + 1) / (DIRECTIONS + 1);
     const projection = this.#projection(found.direction, three);
     three.render(scene, mapCamera(new Matrix4(), projection, three.coordinateSystem));
     this.#weights.add(color.value);
     this.#done += 1;
+  }
+
+  /** A direction's colour as parts of all light, whose mean is 1, in whole steps; what is left is passed on to the next direction. */
+  #count(counted: Vector3, color: readonly [number, number, number], { irradiance }: SkyLight): void {
+    const all = irradiance.toArray() as [number, number, number];
+    const bright = luminance(all);
+    const parts = color.map((value, c) => (all[c]! > 0 ? (value * bright) / all[c]! : 0));
+    this.#owed.add(counted.fromArray(parts));
+    counted.copy(this.#owed).divideScalar(STEP).round().multiplyScalar(STEP);
+    this.#owed.sub(counted);
   }
 
   /** The part of the sky's light that is kept off a place, by channel. @param place x and z */
