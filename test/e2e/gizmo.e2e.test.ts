@@ -92,11 +92,8 @@ const selectByHand = async (name: string): Promise<Point> => {
   const { position } = await object(name);
   const { x, y } = await pixel(position);
   await page.page.mouse.click(x, y);
-  expect(
-    await page.page.evaluate(
-      'irradia.viewport && document.querySelector(".outliner-row.selected .name").textContent',
-    ),
-  ).toBe(name);
+  // What is below the pointer may be found in a thread.
+  await page.until(`document.querySelector('.outliner-row.selected .name')?.textContent === '${name}'`);
   return position;
 };
 
