@@ -37,8 +37,7 @@ const middle = async (): Promise<[number, number]> => {
 it('a click sets what is in focus, as one step that can be undone', async () => {
   await page.page.keyboard.press('Shift+F');
   await page.page.mouse.click(...(await middle()));
-  const { camera } = await page.document();
-  expect(camera.focusDistance).toBeCloseTo(3, 2);
+  await expect.poll(async () => (await page.document()).camera.focusDistance).toBeCloseTo(3, 2);
   // The click chose a focus, not an object.
   expect(await page.page.evaluate('irradia.store.undoLabel')).toContain('Focus the lens on');
   await page.page.keyboard.press('Control+z');

@@ -207,9 +207,8 @@ describe('the viewport', () => {
     if (!at) throw new Error('the default scene has no sphere');
     await page.page.keyboard.press('Escape');
     await page.page.mouse.click(at.x, at.y);
-    expect(await page.page.locator('.outliner-row.selected').getAttribute('data-entity')).toBe(
-      `objects/${at.id}`,
-    );
+    const selected = () => page.page.locator('.outliner-row.selected').getAttribute('data-entity');
+    await expect.poll(selected).toBe(`objects/${at.id}`);
     await page.page.keyboard.press('Escape');
     expect(await page.page.locator('.outliner-row.selected').textContent()).toBe('Scene');
   });
