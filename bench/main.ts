@@ -1,11 +1,28 @@
 /** `npm run bench [-- spheres effects lab views tasks]`: prints what docs/benchmarks.md keeps. All on the software GPU of the tests' browser. */
+import { parseArgs } from 'node:util';
 import { openHarness } from '../test/support/harness.ts';
 import { benchEffects } from './effects.ts';
 import { measureLab } from './lab.ts';
+import { measureLargeMesh } from './large-mesh.ts';
+import { measureManyObjects } from './many-objects.ts';
 import { median } from './median.ts';
+import type { OperationTasks } from './operations.ts';
 import type { SpheresRequest, SpheresResult } from './spheres.page.ts';
-import { LONG, measureTasks, type OperationTasks } from './tasks.ts';
+import { LONG } from './trace.ts';
 import { measureViews } from './views.ts';
+
+const { values, positionals: asked } = parseArgs({
+  args: process.argv.slice(3),
+  allowPositionals: true,
+  options: {
+    /** Of the tasks: those whose name has this in it. */
+    only: { type: 'string', default: '' },
+    /** With what the long ones are made of. */
+    profile: { type: 'boolean', default: false },
+    /** In the scenes whose name has this in it, such as `100,000` or `objects`. */
+    scene: { type: 'string', default: '' },
+  },
+});
 
 const FRAMES = 40;
 const NAVIGATIONS = 5;
@@ -60,23 +77,39 @@ async function benchViews(): Promise<void> {
   }
 }
 
+const TRIANGLES = [100_000, 1_000_000];
+const OBJECTS = 2000;
+
 async function benchTasks(): Promise<void> {
-  const sizes = [100_000, 1_000_000];
-  const results: (readonly OperationTasks[])[] = [];
-  for (const size of sizes) results.push(await measureTasks(size));
+  const { only, profile: profiled, scene } = values;
+  const request = { only, profiled };
+  const large = TRIANGLES.map(
+    (triangles) => [`${triangles.toLocaleString('en')} triangles`, triangles] as const,
+  );
+  const asked = large.filter(([name]) => name.includes(scene));
+  const measured = [];
+  for (const [name, triangles] of asked)
+    measured.push({ name, tasks: await measureLargeMesh(triangles, request) });
+  if (measured.length > 0) printTasks(measured);
+  const name = `${OBJECTS.toLocaleString('en')} objects`;
+  if (name.includes(scene)) printTasks([{ name, tasks: await measureManyObjects(OBJECTS, request) }]);
+}
+
+function printTasks(columns: readonly { name: string; tasks: readonly OperationTasks[] }[]): void {
   console.log(
     `\nThe longest task of the page's thread, ms of its own time; how many took over ${LONG} ms; the longest on the wall's clock\n`,
   );
-  const heads = sizes.map((size) => `${size.toLocaleString('en')} triangles | over ${LONG} | wall`);
-  console.log(`| | ${heads.join(' | ')} |`);
-  console.log(`| ---${' | --- | --- | ---'.repeat(sizes.length)} |`);
-  for (const [i, { name }] of (results[0] ?? []).entries()) {
-    const cells = results.flatMap((tasks) => {
+  console.log(`| | ${columns.map(({ name }) => `${name} | over ${LONG} | wall`).join(' | ')} |`);
+  console.log(`| ---${' | --- | --- | ---'.repeat(columns.length)} |`);
+  for (const [i, { name }] of (columns[0]?.tasks ?? []).entries()) {
+    const cells = columns.flatMap(({ tasks }) => {
       const { longest = 0, long = 0, wall = 0 } = tasks[i] ?? {};
       return [longest.toFixed(0), long, wall.toFixed(0)];
     });
     console.log(`| ${[name, ...cells].join(' | ')} |`);
   }
+  for (const { tasks } of columns)
+    for (const { name, made } of tasks) if (made) console.log(`\n${name}: ${made}`);
 }
 
 const benches = {
@@ -86,6 +119,5 @@ const benches = {
   views: benchViews,
   tasks: benchTasks,
 };
-const asked = process.argv.slice(3);
 for (const [name, bench] of Object.entries(benches))
   if (asked.length === 0 || asked.includes(name)) await bench();

@@ -74,9 +74,10 @@ export function integrateRectangle(
           fine = values.map(() => 0);
           coarse = values.map(() => 0);
         }
-        for (const [i, value] of values.entries()) {
-          fine[i]! += kronrodX * kronrodY * value;
-          coarse[i]! += gaussX * gaussY * value;
+        const [kronrod, gauss] = [kronrodX * kronrodY, gaussX * gaussY];
+        for (let i = 0; i < values.length; i++) {
+          fine[i]! += kronrod * values[i]!;
+          coarse[i]! += gauss * values[i]!;
         }
       }
     }

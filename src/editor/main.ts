@@ -16,7 +16,7 @@ import { editActions } from './actions/edit.ts';
 import { fileActions } from './actions/file.ts';
 import { keptKeymap } from './actions/keymap.ts';
 import { learnActions, learning } from './actions/learn.ts';
-import { loadMaterialTools, materialActions } from './actions/material.ts';
+import { loadMaterialTools, materialActions, materialTools } from './actions/material.ts';
 import { pageActions } from './actions/page.ts';
 import { selectionActions } from './actions/selection.ts';
 import { installShortcuts } from './actions/shortcuts.ts';
@@ -25,14 +25,17 @@ import { viewActions } from './actions/view.ts';
 import { installClipboard } from './clipboard.ts';
 import { installErrorReports, showStartFailure } from './errors.ts';
 import { GpuTimesBoard } from './gpu-times.ts';
+import { showComing } from './io/coming-environment.ts';
 import { computedElsewhere } from './io/computed-environment.ts';
 import { installDrop } from './io/drop.ts';
 import { ANY_ACCEPT, chooseFiles, download, fileNameOf } from './io/files.ts';
 import { environmentElsewhere, openElsewhere } from './io/importer/import-job.ts';
-import { type OpenContext, openAddress, openFiles } from './io/open.ts';
+import { nameOfAddress, type OpenContext, openAddress, openFiles } from './io/open.ts';
+import { chooseFilesToOpen } from './io/open-dialog.ts';
+import { patternElsewhere } from './io/pattern.ts';
 import { t } from './language/language.ts';
 import { createBench } from './panels/bench/bench.ts';
-import { exportEntries } from './panels/export/entries.ts';
+import { exportActions } from './panels/export/entries.ts';
 import { createInspector } from './panels/inspector/inspector.ts';
 import type { MaterialContext } from './panels/library/tools.ts';
 import { createOutliner } from './panels/outliner/outliner.ts';
@@ -52,10 +55,12 @@ import { Workspace } from './storage/workspace.ts';
 import { followSystemTheme } from './theme/theme.ts';
 import { inviteToTour } from './tour/invitation.ts';
 import { h } from './ui/dom.ts';
+import { onCancelledGesture } from './ui/gesture.ts';
 import { installLongPress } from './ui/long-press.ts';
 import type { MenuEntry } from './ui/menu.ts';
 import { startProgress, toast, toastError } from './ui/toast.ts';
 import { installTooltip } from './ui/tooltip.ts';
+import { installTouchDrag } from './ui/touch-drag.ts';
 import { PresetOfDevice } from './viewport/adopt-preset.ts';
 import { Viewport } from './viewport/viewport.ts';
 
@@ -82,6 +87,7 @@ const PATIENCE_MS = 400;
 installErrorReports();
 followSystemTheme();
 installLongPress();
+installTouchDrag();
 installTooltip((action) => session.actions.shortcut(action));
 
 const store = new DocumentStore(createDocument());
@@ -96,6 +102,8 @@ const assets = new AssetLoader({
   openGltf: openElsewhere,
   decodeEnvironment: environmentElsewhere,
   computeEnvironment: computedElsewhere,
+  onPreset: showComing,
+  drawPattern: patternElsewhere,
 });
 const mirror = new SceneMirror({
   assets,
@@ -121,8 +129,9 @@ const session: Session = {
   save,
   openFiles: (files, as) => openFiles(opening, files, as),
   chooseFiles,
-  renameSelected: () => outliner.renameSelected(),
-  findInScene: () => outliner.search(),
+  renameSelected: () => void showOutliner().then(() => outliner.renameSelected()),
+  findInScene: () => void showOutliner().then(() => outliner.search()),
+  closeSheet: () => sheets.open(null),
   focusSelection: () => window.irradia.viewport?.hands.focusSelection(),
   pickFocus: () => window.irradia.viewport?.hands.pickFocus(),
   hands: () => window.irradia.viewport?.hands ?? null,
@@ -135,38 +144,41 @@ let placeholder: Document | null = null;
 let presetOfDevice: PresetOfDevice | null = null;
 
 const outliner = createOutliner(session);
+const sheets = createSheetTabs(session);
+const inspector = createInspector(session);
 const times = new FrameTimes();
 const status = createStatus(state, times, session.gpuTimes);
 const canvas = h('canvas', { tabindex: 0, role: 'application', 'aria-label': t('Viewport') });
 const loading = h('div', { class: 'loading' }, t('Loading…'));
-const view = h('main', { class: 'viewport' }, canvas, loading);
+const emptyHint = h(
+  'p',
+  { class: 'empty-hint', hidden: true },
+  t(
+    'There is nothing here yet. Drop files on the page, or add something: by the menu, or a right click here.',
+  ),
+);
+const view = h('main', { class: 'viewport' }, canvas, emptyHint, loading);
 
 document.getElementById('app')?.replaceChildren(
   createTopbar(session, {
     openShipped,
     tracedPictures,
-    exports: () =>
-      exportEntries({
-        session,
-        mirror,
-        renderer: () => window.irradia.renderer,
-        redraw: () => window.irradia.viewport?.refresh(),
-      }),
     shippedScenes,
   }),
   h('div', { class: 'panel-left' }, outliner.element),
   view,
   createSourcePanel(session),
-  h('div', { class: 'panel-right' }, createInspector(session)),
+  h('div', { class: 'panel-right' }, inspector),
   createBench(session, {
     geometryOf: (id) => mirror.objectFor(id)?.geometry,
     viewport: canvas,
     renderer: () => window.irradia.renderer,
   }),
   status.element,
-  createSheetTabs(session),
+  sheets.element,
 );
 store.subscribe(({ reason, document }) => {
+  emptyHint.hidden = Object.keys(document.objects).length > 0;
   if (reason !== 'open') return;
   times.clear();
   // Once it is on the screen; at the page's start there is no viewport yet, and start() sees to it.
@@ -174,7 +186,9 @@ store.subscribe(({ reason, document }) => {
     void window.irradia.viewport
       ?.nextFrame()
       .then(() => mirror.settled())
-      .then(adoptPreset);
+      .then(adoptPreset, () => {
+        // The viewport has told why nothing is drawn.
+      });
 });
 const materials: MaterialContext = {
   session,
@@ -182,11 +196,21 @@ const materials: MaterialContext = {
   assets,
   view,
   outliner: outliner.element,
+  inspector,
   renderer: () => window.irradia.renderer,
   viewport: () => window.irradia.viewport,
 };
 installDrop(view, (files) => void session.openFiles(files));
 session.actions.add(fileActions(session, { open, saveAs, screenshot }));
+session.actions.add(
+  exportActions({
+    session,
+    mirror,
+    renderer: () => window.irradia.renderer,
+    redraw: () => window.irradia.viewport?.refresh(),
+    whole: async () => window.irradia.viewport?.whole(),
+  }),
+);
 session.actions.add(materialActions(materials));
 session.actions.add(editActions(session));
 session.actions.add(clipboardActions(session, installClipboard(session)));
@@ -199,6 +223,7 @@ session.actions.add(cameraActions(session));
 session.actions.add(learnActions(session));
 session.actions.add(pageActions(session));
 installShortcuts(session.actions);
+onCancelledGesture((gesture) => store.abandon(gesture));
 
 window.addEventListener('hashchange', () => void openLink());
 
@@ -209,6 +234,11 @@ window.irradia.ready
   })
   .then(() => installOffline(() => workspace.reload()));
 void window.irradia.ready.catch(() => null).then(() => loadMaterialTools(materials));
+// What is typed right after its keys is meant for it.
+void window.irradia.ready
+  .catch(() => null)
+  .then(() => import('./panels/palette/palette.ts'))
+  .catch(() => null);
 // A page without a renderer takes files, too.
 void window.irradia.ready.then(importAddressed, importAddressed);
 void window.irradia.ready.then(openAddressedLesson, openAddressedLesson);
@@ -224,7 +254,8 @@ async function addressedDocument(): Promise<Document> {
   const [scene, model, lesson] = [query.get('scene'), query.get('import'), query.get('lesson')];
   if (lesson !== null) return (await learning(session)).addressedDocument(lesson);
   // A model that is linked to is what the person wants to see, and nothing else.
-  if (scene === null && model !== null) return modelStage(model.replace(/^.*\//, ''));
+  if (scene === null && model !== null)
+    return modelStage(nameOfAddress(model).replace(/\.[A-Za-z0-9]+$/, ''));
   const document = await loadScene(scene ?? undefined);
   if (isShipped(scene)) fresh = document;
   return document;
@@ -241,8 +272,8 @@ async function importAddressed(): Promise<void> {
   const query = new URLSearchParams(location.search);
   const address = query.get('import');
   if (address === null) return;
-  await openAddress(opening, address, { onStage: !query.has('scene') });
-  // It is in the scene now: a reload must not bring it once more.
+  // What did not come is asked for again by a reload; what did must not come once more.
+  if (!(await openAddress(opening, address, { onStage: !query.has('scene') }))) return;
   const rest = new URL(location.href);
   rest.searchParams.delete('import');
   history.replaceState(history.state, '', rest);
@@ -278,6 +309,8 @@ async function start(): Promise<void> {
     complete = true;
   });
   await Promise.race([settled, new Promise((resolve) => setTimeout(resolve, PATIENCE_MS))]);
+  // What comes while the first frame is drawn is not in it.
+  const isWhole = complete;
   const viewport = new Viewport({
     element: view,
     canvas,
@@ -289,15 +322,21 @@ async function start(): Promise<void> {
   });
   window.irradia.viewport = viewport;
   presetOfDevice = new PresetOfDevice(session, renderer.value, viewport);
-  await viewport.nextFrame();
-  loading.remove();
-  if (!complete) {
+  await viewport.nextFrame().finally(() => loading.remove());
+  if (!isWhole) {
     await settled;
     viewport.refresh();
     await viewport.nextFrame();
   }
   void adoptPreset();
   inviteToTour(view, () => session.actions.run('help.tour'));
+}
+
+/** It may be a sheet that is closed, or the library may have its place. */
+async function showOutliner(): Promise<void> {
+  if (outliner.element.checkVisibility()) return;
+  sheets.open('panel-left');
+  if (session.actions.get('material.library').on?.()) (await materialTools(materials)).library.close();
 }
 
 function newScene(): void {
@@ -330,7 +369,7 @@ async function openShipped(name: string): Promise<void> {
 }
 
 async function open(): Promise<void> {
-  await session.openFiles(await chooseFiles(ANY_ACCEPT, true));
+  await session.openFiles(await chooseFilesToOpen(ANY_ACCEPT));
 }
 
 function save(): void {

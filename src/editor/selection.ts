@@ -2,6 +2,7 @@
 import { isMember, type MemberRef } from '../scene/entity.ts';
 import { groupEntities, shift, ungroup } from '../scene/group-commands.ts';
 import { groupOf, groupsAround, keyOf, membersOf, wholeGroups } from '../scene/groups.ts';
+import { assignMaterial, giveOwnMaterials } from '../scene/material-commands.ts';
 import {
   duplicateEntities,
   lockedOf,
@@ -99,6 +100,72 @@ export function selectEverything(context: Context): void {
 export function selectInverse(context: Context): void {
   const { state } = context;
   state.selectAll(selectable(context).filter((entity) => !state.isSelected(entity)));
+}
+
+/** All that can be selected and has one of the materials of what is selected; of materials, the objects that have them. */
+export function selectSameMaterial({ store, state }: Context): void {
+  const { objects } = store.document;
+  const { selected } = state.value;
+  const wanted = new Set(
+    selected.map(({ kind, id }) =>
+      kind === 'materials' ? id : kind === 'objects' ? objects[id]?.material : undefined,
+    ),
+  );
+  const found = Object.entries(objects).flatMap(([id, { material, visible, locked }]): Entity[] =>
+    wanted.has(material) && visible && !locked ? [{ kind: 'objects', id }] : [],
+  );
+  // What was chosen last stays the last.
+  const before = new Set(selected.map(keyOf));
+  const members = selected.filter(({ kind }) => kind === 'objects');
+  state.selectAll([...found.filter((ref) => !before.has(keyOf(ref))), ...members]);
+}
+
+/** Gives the objects that are selected the material of the one that was chosen last. */
+export function assignLastMaterial({ store, state }: Context): void {
+  const { selection, selected } = state.value;
+  const material = store.document.objects[selection?.id ?? '']?.material;
+  const objects = selected.filter(({ kind }) => kind === 'objects').map(({ id }) => id);
+  if (material !== undefined)
+    attempt(t('The objects keep their material'), () => assignMaterial(store, objects, material));
+}
+
+/** Gives the objects that are selected copies of their materials, for themselves. */
+export function giveOwn({ store, state }: Context): void {
+  const objects = state.value.selected.filter(({ kind }) => kind === 'objects').map(({ id }) => id);
+  attempt(t('The objects keep their material'), () => giveOwnMaterials(store, objects));
+}
+
+/** What was hidden to look at something alone. */
+let hiddenForAlone: readonly MemberRef[] = [];
+
+/** Another document is open. */
+export function forgetAlone(): void {
+  hiddenForAlone = [];
+}
+
+/** Whether something was hidden to look at something alone, and still is. */
+export function isAlone({ store: { document } }: Context): boolean {
+  return hiddenForAlone.some(({ kind, id }) => document[kind][id]?.visible === false);
+}
+
+/**
+ * Hides the other objects where objects are given, the other lights where lights are; shows again what was hidden so. Undo
+ * brings it back, too.
+ */
+export function toggleAlone(context: Context, refs = selectedMembers(context)): void {
+  const { store } = context;
+  const { document } = store;
+  const back = hiddenForAlone.filter(({ kind, id }) => document[kind][id]?.visible === false);
+  const alone = new Set(refs.map(keyOf));
+  const kinds = new Set(refs.map(({ kind }) => kind));
+  const others = allMembers(context).filter(
+    (ref) => kinds.has(ref.kind) && !alone.has(keyOf(ref)) && document[ref.kind][ref.id]?.visible,
+  );
+  attempt(t('Nothing was hidden or shown'), () => {
+    if (back.length > 0) setVisible(store, back, true);
+    else setVisible(store, others, false);
+  });
+  hiddenForAlone = back.length > 0 ? [] : others;
 }
 
 /** Every object and light of the scene. */

@@ -21,6 +21,8 @@ export interface Session {
   save(): void;
   /** Opens the name of what is selected for typing. */
   renameSelected(): void;
+  /** On a narrow page: the panel that lies under the picture makes way. */
+  closeSheet(): void;
   /** Puts the cursor into the outliner's search field. */
   findInScene(): void;
   /** The next click on the picture says what the lens is focused on. */

@@ -18,6 +18,22 @@ export type Rendering = (typeof renderings)[number];
 export const tools = ['select', 'box', 'move', 'rotate', 'scale'] as const;
 export type Tool = (typeof tools)[number];
 
+/** What drags go in where they go in steps. */
+export interface Steps {
+  /** m */
+  readonly move: number;
+  /** Degrees. */
+  readonly rotate: number;
+  readonly scale: number;
+}
+
+/** Those that can be chosen. */
+export const stepChoices: { readonly [K in keyof Steps]: readonly number[] } = {
+  move: [0.01, 0.05, 0.1, 0.25, 0.5, 1],
+  rotate: [1, 5, 10, 15, 30, 45],
+  scale: [0.01, 0.05, 0.1, 0.25, 0.5, 1],
+};
+
 /** Null is the scene itself: camera, environment, view. */
 export type Selection = Entity | null;
 
@@ -50,6 +66,7 @@ export interface EditorState {
   readonly pivot: 'middle' | 'last';
   /** Drags go in steps. */
   readonly snap: boolean;
+  readonly steps: Steps;
   readonly rendering: Rendering;
   /** The part of the viewport's width left of the divider, which is interactive. */
   readonly divider: number;
@@ -83,6 +100,7 @@ const initial: EditorState = {
   space: 'world',
   pivot: 'middle',
   snap: false,
+  steps: { move: 0.1, rotate: 15, scale: 0.1 },
   rendering: 'interactive',
   divider: 0.5,
   comparison: null,

@@ -124,8 +124,22 @@ export function resolveKernelBuiltin(name: string, args: readonly Type[]): Resol
   return { args: [type], result: vector(bits.to, componentCount(type)) };
 }
 
+/** By call: models call the same few hundred some thousand times, and a third of their parsing was choosing among patterns. */
+const resolved = new Map<string, ResolvedBuiltin>();
+
 /** The overload of a built-in function that these arguments choose, or null if there is none. */
 export function resolveBuiltin(name: string, args: readonly Type[]): ResolvedBuiltin | null {
+  let call = name;
+  for (const type of args) call += ` ${type.name}`;
+  const known = resolved.get(call);
+  if (known) return known;
+  const builtin = choosePattern(name, args);
+  // What fits has scalars, vectors and matrices alone, which are known by their names; a name of a struct is each program's own.
+  if (builtin) resolved.set(call, builtin);
+  return builtin;
+}
+
+function choosePattern(name: string, args: readonly Type[]): ResolvedBuiltin | null {
   const [first] = args;
   if (first?.kind === 'matrix') {
     if (name === 'transpose' && args.length === 1) return { args, result: matrix(first.rows, first.columns) };
@@ -134,8 +148,8 @@ export function resolveBuiltin(name: string, args: readonly Type[]): ResolvedBui
     return null;
   }
   for (const pattern of PATTERNS.get(name) ?? []) {
-    const resolved = match(pattern, args);
-    if (resolved) return resolved;
+    const builtin = match(pattern, args);
+    if (builtin) return builtin;
   }
   return null;
 }

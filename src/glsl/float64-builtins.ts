@@ -80,10 +80,13 @@ const GEOMETRIC: Record<string, Builtin> = {
   length: (a) => Math.hypot(...list(a)),
   distance: (a, b) => Math.hypot(...list(a).map((x, i) => x - (list(b)[i] as number))),
   dot: (a, b) => dot(list(a), list(b)),
-  normalize: vectors((a) => {
-    const length = Math.hypot(...a);
-    return a.map((x) => x / length);
-  }),
+  normalize: (a) => {
+    if (!Array.isArray(a)) return (a as number) / Math.hypot(a as number);
+    const vector = a as Vector;
+    const [x, y, z] = vector as [number, number, number];
+    const length = vector.length === 3 ? Math.hypot(x, y, z) : Math.hypot(...vector);
+    return vector.length === 3 ? [x / length, y / length, z / length] : vector.map((c) => c / length);
+  },
   cross: (a, b) => {
     const [ax, ay, az] = a as unknown as [number, number, number];
     const [bx, by, bz] = b as unknown as [number, number, number];

@@ -67,11 +67,46 @@ export function arithmetic(
         ? (a: number, b: number) => UINT_OPERATORS[operator](a, b) >>> 0
         : INT_OPERATORS[operator];
   if (left.kind === 'scalar' && right.kind === 'scalar') return f as (a: Value, b: Value) => Value;
-  if (componentCount(left) === 3 || componentCount(right) === 3) return ofThree(f, left, right);
+  if (componentCount(left) === 3 || componentCount(right) === 3) {
+    const kind = left.kind === 'scalar' ? 'ofScalar' : right.kind === 'scalar' ? 'byScalar' : 'each';
+    const known = base === 'float' ? THREE_FLOATS[operator]?.[kind] : undefined;
+    return (known as ((a: Value, b: Value) => Value) | undefined) ?? ofThree(f, left, right);
+  }
   if (left.kind === 'scalar') return (a, b) => (b as readonly number[]).map((x) => f(a as number, x));
   if (right.kind === 'scalar') return (a, b) => (a as readonly number[]).map((x) => f(x, b as number));
   return (a, b) => (a as readonly number[]).map((x, i) => f(x, (b as readonly number[])[i] as number));
 }
+
+interface OfThreeFloats {
+  /** Two vectors, component by component. */
+  readonly each: (a: Three, b: Three) => Three;
+  readonly ofScalar: (s: number, v: Three) => Three;
+  readonly byScalar: (v: Three, s: number) => Three;
+}
+
+/** A function for each operator: engines make little of one function that calls any of four. */
+const THREE_FLOATS: Partial<Record<ArithmeticOperator, OfThreeFloats>> = {
+  '+': {
+    each: (a, b) => [a[0] + b[0], a[1] + b[1], a[2] + b[2]],
+    ofScalar: (s, v) => [s + v[0], s + v[1], s + v[2]],
+    byScalar: (v, s) => [v[0] + s, v[1] + s, v[2] + s],
+  },
+  '-': {
+    each: (a, b) => [a[0] - b[0], a[1] - b[1], a[2] - b[2]],
+    ofScalar: (s, v) => [s - v[0], s - v[1], s - v[2]],
+    byScalar: (v, s) => [v[0] - s, v[1] - s, v[2] - s],
+  },
+  '*': {
+    each: (a, b) => [a[0] * b[0], a[1] * b[1], a[2] * b[2]],
+    ofScalar: (s, v) => [s * v[0], s * v[1], s * v[2]],
+    byScalar: (v, s) => [v[0] * s, v[1] * s, v[2] * s],
+  },
+  '/': {
+    each: (a, b) => [a[0] / b[0], a[1] / b[1], a[2] / b[2]],
+    ofScalar: (s, v) => [s / v[0], s / v[1], s / v[2]],
+    byScalar: (v, s) => [v[0] / s, v[1] / s, v[2] / s],
+  },
+};
 
 /** Directions and colours are most of what a BRDF computes with; written out they take less time than by map(). */
 function ofThree(f: Scalar2, left: Type, right: Type): (a: Value, b: Value) => Value {

@@ -185,6 +185,14 @@ export class Float64Program {
           e.type,
           e.args.map((arg) => arg.type),
         );
+        if (args.length === 1) {
+          const [only] = args as [Run];
+          return () => build([only()]);
+        }
+        if (args.length === 3) {
+          const [a, b, c] = args as [Run, Run, Run];
+          return () => build([a(), b(), c()]);
+        }
         return () => build(args.map((arg) => arg()));
       }
       case 'swizzle': {
@@ -192,6 +200,12 @@ export class Float64Program {
         const { components } = e;
         const [first = 0, second = 0, third = 0] = components;
         if (components.length === 1) return () => (object() as readonly number[])[first] as number;
+        if (components.length === 2) {
+          return () => {
+            const value = object() as readonly number[];
+            return [value[first] as number, value[second] as number];
+          };
+        }
         if (components.length === 3) {
           return () => {
             const value = object() as readonly number[];
@@ -274,6 +288,9 @@ export class Float64Program {
       case '!=':
         return () => !same(left(), right());
       default: {
+        const floats = isFloat(e.left.type) && isFloat(e.right.type);
+        const run = floats ? ofFloats(e.operator, left as () => number, right as () => number) : null;
+        if (run) return run;
         const f = arithmetic(e.operator, e.left.type, e.right.type);
         return () => f(left(), right());
       }
@@ -287,6 +304,22 @@ export class Float64Program {
       qualifier === 'in' ? [] : [{ cell: cells[i] as Cell, store: this.store(e.args[i] as Expr) }],
     );
     const count = read.length;
+    if (count === 1 && outputs.length === 0) {
+      const [only, cell] = [read[0] as Run, cells[0] as Cell];
+      return () => {
+        cell.value = only();
+        return run();
+      };
+    }
+    if (count === 2 && outputs.length === 0) {
+      const [[first, second], [a, b]] = [read as [Run, Run], cells as [Cell, Cell]];
+      return () => {
+        const value = first();
+        b.value = second();
+        a.value = value;
+        return run();
+      };
+    }
     return () => {
       // All arguments first: one may call this very function.
       const values = new Array<Value>(count);
@@ -329,6 +362,24 @@ export class Float64Program {
       store(next);
       return value;
     };
+  }
+}
+
+const isFloat = (type: Type): boolean => type.kind === 'scalar' && type.scalar === 'float';
+
+/** Most of what a BRDF computes; each has a closure of its own, which engines make one piece of. */
+function ofFloats(operator: string, left: () => number, right: () => number): Run | null {
+  switch (operator) {
+    case '+':
+      return () => left() + right();
+    case '-':
+      return () => left() - right();
+    case '*':
+      return () => left() * right();
+    case '/':
+      return () => left() / right();
+    default:
+      return null;
   }
 }
 

@@ -8,14 +8,16 @@ import { z } from 'zod';
 import { type AssetLoader, messageOf } from '../scene/assets.ts';
 import { encodeBase64 } from '../scene/base64.ts';
 import { materialDefaults, materialMaps } from '../scene/material-schema.ts';
+import { createPrimitive, type Primitive } from '../scene/mirror/geometry.ts';
 import { type Asset, type Material, maxAssetBytes, type SceneObject } from '../scene/schema.ts';
 import type { ImportedModel } from './gltf/add.ts';
 import { GltfError } from './gltf/error.ts';
 import { type GltfFile, gltfBytes, readGltf } from './gltf/file.ts';
 import { convertMaterial } from './gltf/material.ts';
-import { convertNodes, type GltfContents } from './gltf/nodes.ts';
+import { convertNodes, type GltfContents, type GltfObject } from './gltf/nodes.ts';
 import { Notes } from './gltf/notes.ts';
 import type { Gltf } from './gltf/schema.ts';
+import { noteFile } from './gltf/unread.ts';
 import type { Companions } from './meshes/companions.ts';
 import type { Converted } from './meshes/converted.ts';
 
@@ -36,9 +38,10 @@ export async function importGltf(
   assets: AssetLoader,
   { companions, onProgress }: ImportOptions = {},
 ): Promise<ImportedModel> {
-  const file = readGltf(bytes, fileName, companions);
   const notes = new Notes();
-  const contents = convertNodes(file.json, fileName, notes);
+  const file = readGltf(bytes, fileName, companions, notes);
+  const contents = convertNodes(file, fileName, notes);
+  noteFile(file.json, notes);
   const spare = variantMaterials(file.json, contents, notes);
   const convert = (index: number | undefined) => convertMaterial(file.json, index, fileName, notes);
   const imported = await finish(file, contents, convert, spare, assets, notes, onProgress);
@@ -51,14 +54,14 @@ export async function importGltf(
 
 /** The same for a file of another format, once it has become a GLB. */
 export async function importConverted(
-  { glb, materials, lights, camera }: Converted,
+  { glb, materials, lights, primitives, camera }: Converted,
   fileName: string,
   assets: AssetLoader,
   notes: Notes,
   onProgress?: (fraction: number) => void,
 ): Promise<ImportedModel> {
   const file = readGltf(glb, fileName);
-  const contents = { ...convertNodes(file.json, fileName, notes, lights), camera };
+  const contents = { ...convertNodes(file, fileName, notes, { lights, primitives }), camera };
   const plain: Material = {
     ...structuredClone(materialDefaults),
     name: fileName.replace(/\.[A-Za-z0-9]+$/, '').slice(0, 180) || 'Material',
@@ -87,23 +90,29 @@ async function finish(
       name,
       `${content.length} bytes are more than the ${maxAssetBytes} that a scene's file may have`,
     );
-  const asset: Asset = {
-    name: name.slice(-200),
-    mediaType: 'model/gltf-binary',
-    data: encodeBase64(content),
-  };
+  const asset: Asset | null = isNeeded(file, contents)
+    ? { name: name.slice(-200), mediaType: 'model/gltf-binary', data: encodeBase64(content) }
+    : null;
   const used = new Set(contents.objects.map(({ material }) => material));
   const steps = contents.objects.length + used.size + spareIndices.length;
   let done = 0;
   const step = () => onProgress(++done / steps);
   const box = new THREE.Box3();
-  for (const { node, primitive, object } of contents.objects) {
-    const geometry = await assets.gltfGeometry(asset, node, primitive);
-    if (object.visible) box.union(worldBox(geometry, object));
+  const primitives = new Map<Primitive, THREE.BufferGeometry>();
+  const geometryOf = async ({ node, primitive, shape }: GltfObject) => {
+    if (shape === null) return asset && assets.gltfGeometry(asset, node, primitive);
+    const geometry = primitives.get(shape) ?? createPrimitive(shape);
+    primitives.set(shape, geometry);
+    return geometry;
+  };
+  for (const found of contents.objects) {
+    const geometry = await geometryOf(found);
+    if (geometry && found.object.visible) box.union(worldBox(geometry, found.object));
     step();
   }
   const read = async (index: number | undefined): Promise<Material> => {
-    const material = await withReadableTextures(convert(index), asset, assets, notes);
+    const converted = convert(index);
+    const material = asset ? await withReadableTextures(converted, asset, assets, notes) : converted;
     step();
     return material;
   };
@@ -113,6 +122,11 @@ async function finish(
   for (const index of spareIndices) spare.push(await read(index));
   const bounds = box.isEmpty() ? null : { min: box.min.toArray(), max: box.max.toArray() };
   return { label: `Import ${name}`, asset, contents, materials, spare, bounds };
+}
+
+/** A file of a document's own primitives alone would be a burden to it: a link has little room. */
+function isNeeded({ json }: GltfFile, { objects }: GltfContents): boolean {
+  return json.images.length > 0 || objects.some(({ shape }) => shape === null);
 }
 
 function worldBox(

@@ -56,8 +56,12 @@ export function readMaterialFile(json: unknown, file: string): MaterialFile {
   return { material: read, models: document.models, assets: document.assets };
 }
 
-/** Puts it into a draft of a document, under names that are free there; returns the material's id. */
-export function addMaterialFile(draft: Draft, file: MaterialFile): string {
+/** Puts it into a draft of a document, under names that are free there; returns the material's id. @param put puts the material itself */
+export function addMaterialFile(
+  draft: Draft,
+  file: MaterialFile,
+  put: (draft: Draft, material: Material) => string = putMaterial,
+): string {
   const ids = new Map(
     Object.entries(file.assets).map(([id, asset]) => [id, keepAsset(draft, asset)] as const),
   );
@@ -74,5 +78,5 @@ export function addMaterialFile(draft: Draft, file: MaterialFile): string {
   const textures = [...Object.values(material.textures), ...materialMaps.map((map) => material[map])];
   for (const texture of textures)
     if (texture !== null) texture.asset = ids.get(texture.asset) ?? texture.asset;
-  return putMaterial(draft, material);
+  return put(draft, material);
 }

@@ -3,7 +3,9 @@
  * of `principled-bsdf` where light goes through. Extensions are Khronos's (KHR_materials_*); their parameters and
  * three.js's are the same ones under other names. What has no counterpart is told in a note.
  */
+
 import type { Material, TextureRef } from '../scene/schema.ts';
+import { reflectanceOfIor, specularOfReflectance } from '../scene/specular.ts';
 import type { Notes } from './gltf/notes.ts';
 
 type Rgb = readonly [number, number, number];
@@ -17,7 +19,7 @@ export interface Layers {
   transmission: { factor: number; texture: Texture };
   /** A thickness of 0 is a sheet, which encloses nothing. */
   volume: { thickness: number; color: Rgb; distance: number };
-  diffuseTransmission: { factor: number; color: Rgb };
+  diffuseTransmission: { factor: number; color: Rgb; texture: Texture };
   anisotropy: { strength: number; rotation: number; hasTexture: boolean };
   iridescence: number;
   dispersion: number;
@@ -29,7 +31,7 @@ export const noLayers: Layers = {
   specular: { ior: 1.5, factor: 1, color: [1, 1, 1], texture: null },
   transmission: { factor: 0, texture: null },
   volume: { thickness: 0, color: [1, 1, 1], distance: Number.POSITIVE_INFINITY },
-  diffuseTransmission: { factor: 0, color: [1, 1, 1] },
+  diffuseTransmission: { factor: 0, color: [1, 1, 1], texture: null },
   anisotropy: { strength: 0, rotation: 0, hasTexture: false },
   iridescence: 0,
   dispersion: 0,
@@ -76,7 +78,7 @@ function setSheen(material: Material, { color, texture }: Layers['sheen'], notes
 }
 
 /** Reflectance head-on; an ior of 0 stands for 1 (KHR_materials_ior). */
-export const reflectance = (ior: number): number => (ior > 0 ? ((ior - 1) / (ior + 1)) ** 2 : 1);
+const reflectance = (ior: number): number => (ior > 0 ? reflectanceOfIor(ior) : 1);
 /** The index of refraction that reflects as much head-on. */
 export const indexOf = (r0: number): number => {
   const root = Math.sqrt(clamp(r0, 0, 0.999));
@@ -86,7 +88,7 @@ export const indexOf = (r0: number): number => {
 function setSpecular(material: Material, { ior, factor, color, texture }: Layers['specular']): void {
   // principled: R0 = .08 specular.
   const r0 = Math.min(1, reflectance(ior) * Math.max(...color)) * factor;
-  if (Math.abs(r0 - 0.04) > 1e-6) material.parameters.specular = r0 / 0.08;
+  if (Math.abs(r0 - 0.04) > 1e-6) material.parameters.specular = specularOfReflectance(r0);
   if (texture) material.textures.specular = texture;
 }
 
@@ -108,6 +110,7 @@ function setTransmission(material: Material, layers: Layers, notes: Notes): void
   }
   if (diffuseTransmission.factor > 0) {
     parameters.diffTrans = clamp(diffuseTransmission.factor);
+    if (diffuseTransmission.texture) material.textures.diffTrans = diffuseTransmission.texture;
     parameters.thin = true;
     notes.add(`${name}: light that its sheet lets through diffusely has the base colour`);
   }

@@ -37,6 +37,7 @@ import {
   type TextureNode,
   Vector2,
   Vector3,
+  type WebGPURenderer,
 } from 'three/webgpu';
 import { glslFunction } from '../glsl/tsl.ts';
 import { repeat } from '../material/statements.ts';
@@ -170,7 +171,10 @@ class ManyLampsNode extends LightingNode {
   }
 
   override update(frame: NodeFrame): undefined {
-    const { camera } = frame as unknown as { camera: Camera & Partial<PerspectiveCamera> };
+    const { camera, renderer } = frame as unknown as {
+      camera: Camera & Partial<PerspectiveCamera>;
+      renderer: WebGPURenderer;
+    };
     const { near = 0.1, far = 1000, isPerspectiveCamera } = camera;
     const row = new Float32Array(4 * LAMP_TEXELS);
     // Parts are those of a perspective view: in others every lamp is everywhere.
@@ -190,8 +194,8 @@ class ManyLampsNode extends LightingNode {
     }
     this.common.value = this.clusters.common;
     this.depths.value.set(sliceScale(near, far), near);
-    upload(this.lists, this.clusters.entries.subarray(0, this.clusters.used));
-    upload(this.ranges, this.clusters.ranges);
+    upload(renderer, this.lists, this.clusters.entries.subarray(0, this.clusters.used));
+    upload(renderer, this.ranges, this.clusters.ranges);
   }
 
   /** From the fragment to the lamp that the loop is at. */
@@ -259,13 +263,15 @@ function reachOf(lamp: Lamp, view: Matrix4): Reach | null {
 }
 
 /** Copies numbers to a texture where they are others than it has. */
-function upload(map: DataTexture, values: Float32Array): void {
+function upload(renderer: WebGPURenderer, map: DataTexture, values: Float32Array): void {
   const data = map.image.data as Float32Array;
   let i = 0;
   while (i < values.length && values[i] === data[i]) i++;
   if (i === values.length) return;
   data.set(values);
   map.needsUpdate = true;
+  // Where nothing but a lamp has changed, three.js does not look at the textures of the objects that it lights.
+  renderer.initTexture(map);
 }
 
 type Format = typeof RGFormat | typeof RedFormat;

@@ -2,6 +2,7 @@ import { diffuseColor, vec4 } from 'three/tsl';
 import {
   type BufferGeometry,
   Color,
+  DataTexture,
   Euler,
   HalfFloatType,
   LightingNode,
@@ -43,6 +44,10 @@ class NearLightNode extends LightingNode {
   }
 }
 
+/** In place of a texture that was taken off. */
+const NOTHING = new DataTexture(new Uint8Array([255, 255, 255, 255]), 1, 1);
+NOTHING.needsUpdate = true;
+
 /**
  * A three.js material made from any model. It runs under WebGPURenderer, on WebGPU and on WebGL 2.
  *
@@ -69,6 +74,8 @@ export class BrdfMaterial extends NodeMaterial {
   readonly values: Record<string, number | Color> = {};
   /** The textures, by parameter. Set them through setMap() or the properties. */
   readonly maps: Record<string, ParameterMap> = {};
+  /** What shaders read, by parameter: a shader that is still being compiled may ask for a texture that is gone by then. */
+  readonly sampled: Record<string, Texture> = {};
 
   normalMap: Texture | null = null;
   /** three.js applies a normal map only if this says which kind it is. */
@@ -94,7 +101,10 @@ export class BrdfMaterial extends NodeMaterial {
   private readonly white: Node<'vec4'>;
   private currentTerm = 'BRDF';
   private ownEvaluator: Evaluator | null = null;
+  /** How often a number was set, or a colour found changed. */
   private changes = 0;
+  /** The values that are colours. */
+  private readonly colors: Color[] = [];
   private readonly snapshot: number[] = [];
   private readonly cache = new Map<string, { version: number; term: string; value: unknown }>();
 
@@ -111,11 +121,13 @@ export class BrdfMaterial extends NodeMaterial {
       'model',
       'values',
       'maps',
+      'sampled',
       'albedoTable',
       'white',
       'currentTerm',
       'ownEvaluator',
       'changes',
+      'colors',
       'snapshot',
       'cache',
     );
@@ -123,7 +135,11 @@ export class BrdfMaterial extends NodeMaterial {
     const resolved = resolveParameters(model.file, plain);
     for (const parameter of model.parameters) {
       const value = resolved[parameter.name] as ParameterValue;
-      this.values[parameter.name] = parameter.type === 'color' ? new Color(...(value as Rgb)) : Number(value);
+      if (parameter.type === 'color') {
+        const color = new Color(...(value as Rgb));
+        this.values[parameter.name] = color;
+        this.colors.push(color);
+      } else this.values[parameter.name] = Number(value);
       this.defineProperties(parameter);
     }
   }
@@ -141,7 +157,10 @@ export class BrdfMaterial extends NodeMaterial {
     const checked = checkValue(this.model.name, this.parameter(name), fromColor(value));
     const current = this.values[name];
     if (current instanceof Color) current.setRGB(...(checked as Rgb));
-    else this.values[name] = Number(checked);
+    else if (current !== Number(checked)) {
+      this.values[name] = Number(checked);
+      this.changes++;
+    }
     return this;
   }
 
@@ -160,6 +179,7 @@ export class BrdfMaterial extends NodeMaterial {
     const before = this.maps[name];
     if (texture) this.maps[name] = { texture, channel };
     else delete this.maps[name];
+    if (texture || before) this.sampled[name] = texture ?? NOTHING;
     if (before?.channel !== this.maps[name]?.channel) this.needsUpdate = true;
     return this;
   }
@@ -184,28 +204,21 @@ export class BrdfMaterial extends NodeMaterial {
   }
 
   /**
-   * Counts the changes of parameters. Found by comparing, since a colour may be changed in place; in numbers,
+   * Counts the changes of parameters. Those of colours, which may be changed in place, are found by comparing; in numbers,
    * without allocating, since every object asks in every frame.
    */
   get valuesVersion(): number {
-    const { snapshot } = this;
-    let changed = snapshot.length === 0;
+    const { snapshot, colors } = this;
+    let changed = snapshot.length !== 3 * colors.length;
     let i = 0;
-    for (const { name } of this.model.parameters) {
-      const value = this.values[name] as number | Color;
-      if (typeof value === 'number') {
-        if (snapshot[i] !== value) {
-          snapshot[i] = value;
-          changed = true;
-        }
-        i++;
-      } else {
-        if (snapshot[i] !== value.r || snapshot[i + 1] !== value.g || snapshot[i + 2] !== value.b) {
-          [snapshot[i], snapshot[i + 1], snapshot[i + 2]] = [value.r, value.g, value.b];
-          changed = true;
-        }
-        i += 3;
+    for (const { r, g, b } of colors) {
+      if (snapshot[i] !== r || snapshot[i + 1] !== g || snapshot[i + 2] !== b) {
+        snapshot[i] = r;
+        snapshot[i + 1] = g;
+        snapshot[i + 2] = b;
+        changed = true;
       }
+      i += 3;
     }
     if (changed) this.changes++;
     return this.changes;

@@ -11,6 +11,7 @@ import {
   vec4,
 } from 'three/tsl';
 import type { Light, Node, NodeBuilder } from 'three/webgpu';
+import { keptFloat, keptVec3 } from './statements.ts';
 
 type Float = Node<'float'>;
 type Vec3 = Node<'vec3'>;
@@ -57,7 +58,7 @@ export function lightShadows(builder: NodeBuilder): LightShadows | null {
   return context.shadows ?? null;
 }
 
-/** The fragment that is shaded. Its parts are to be kept in variables at the top level: they contain derivatives. */
+/** The fragment that is shaded, to be called at the top level of a fragment's code: it contains derivatives. */
 export function fragmentPoint(): ShadedPoint {
   const P = positionView as Vec3;
   // From view space: there it is exact however close the camera is.
@@ -66,9 +67,9 @@ export function fragmentPoint(): ShadedPoint {
   const facing = unit.mul(dot(unit, P).greaterThan(0).select(-1, 1)) as Vec3;
   const world = cameraWorldMatrix as unknown as Node<'mat4'>;
   return {
-    position: world.mul(vec4(P, 1)).xyz as Vec3,
-    normal: world.mul(vec4(facing, 0)).xyz as Vec3,
-    noise: interleavedGradientNoise(),
+    position: keptVec3(world.mul(vec4(P, 1)).xyz as Vec3, 'shadedPosition'),
+    normal: keptVec3(world.mul(vec4(facing, 0)).xyz as Vec3, 'shadedPlane'),
+    noise: keptFloat(interleavedGradientNoise()),
   };
 }
 

@@ -12,16 +12,11 @@ import { fragmentPoint, type LightShadows, lightShadows, type ShadedPoint } from
 import { nonNegative } from './non-negative.ts';
 import { createSampler, latticePoint, type Sampler } from './sampler.ts';
 import { type ShadingFrame, shadingFrame } from './shading-frame.ts';
-import { repeat, run } from './statements.ts';
+import { type Assignable, keptFloat, repeat, run } from './statements.ts';
 import { traceRays } from './traced-rays.ts';
 
 type Vec3 = Node<'vec3'>;
 type Float = Node<'float'>;
-
-interface Assignable {
-  assign(value: Node): void;
-  addAssign(value: Node): void;
-}
 
 /** Samples on a rectangle, and directions drawn from the model. */
 const RECTANGLE_POINTS = 26;
@@ -80,7 +75,7 @@ export class BrdfLightingModel extends LightingModel {
     reflectedLight.directSpecular.assign(vec3(0));
     reflectedLight.indirectSpecular.assign(vec3(0));
     this.shadows = lightShadows(builder);
-    this.point = this.shadows && keptPoint(fragmentPoint());
+    this.point = this.shadows && fragmentPoint();
     this.shadows?.start(builder);
     super.start(builder);
   }
@@ -264,20 +259,6 @@ const aboveHorizon = glslFunction(`
     return cosine * step(0.0, cosine);
   }
 `) as unknown as (cosine: Float) => Float;
-
-/** Kept where it is computed: its derivatives do not hold inside branches. */
-function keptPoint({ position, normal, noise }: ShadedPoint): ShadedPoint {
-  const [P, N] = [vec3(0).toVar('shadedPosition'), vec3(0).toVar('shadedPlane')];
-  P.assign(position);
-  N.assign(normal);
-  return { position: P as unknown as Vec3, normal: N as unknown as Vec3, noise: keptFloat(noise) };
-}
-
-function keptFloat(value: Float): Float {
-  const kept = float(0).toVar();
-  kept.assign(value);
-  return kept as unknown as Float;
-}
 
 /** Whether anything but lamps lights the scene. */
 function hasAmbient(builder: NodeBuilder): boolean {

@@ -44,7 +44,7 @@ export function derivedNodes(model: Model, term: string): Node[] {
 
 function parameterNode(parameter: Parameter, map: ParameterMap | undefined): Node {
   const { name, type } = parameter;
-  const texel = map && (materialReference(`maps.${name}.texture`, 'texture') as unknown as Node<'vec4'>);
+  const texel = map && (materialReference(`sampled.${name}`, 'texture') as unknown as Node<'vec4'>);
   if (type === 'color') {
     const value = materialReference(`values.${name}`, 'color') as unknown as Node<'vec3'>;
     return texel ? value.mul(texel.rgb) : value;

@@ -8,6 +8,7 @@ import {
   FloatType,
   HalfFloatType,
   LinearSRGBColorSpace,
+  type Mesh,
   NoToneMapping,
   type PerspectiveCamera,
   RenderTarget,
@@ -17,10 +18,10 @@ import {
   WebGPURenderer,
 } from 'three/webgpu';
 import { exposureFor } from '../color/exposure.ts';
-import { fromHalf } from '../io/half.ts';
 import { LampLighting } from '../lights/many-lamps.ts';
 import { focusDistance } from '../scene/lens.ts';
 import type { Camera } from '../scene/schema.ts';
+import { CompileQueue, withOnly } from './compile-queue.ts';
 import { DataViews } from './data-views.ts';
 import { showsLight } from './display.ts';
 import { ExposureMeter } from './exposure-meter.ts';
@@ -29,8 +30,10 @@ import { EffectChain } from './frame/effect-chain.ts';
 import { GpuTimes } from './frame/gpu-times.ts';
 import { FrameInputs } from './frame/inputs.ts';
 import { CopyPass } from './frame/pass.ts';
+import { RepeatedMeshes } from './frame/repeated-meshes.ts';
 import { GroundCatcher } from './ground/ground-catcher.ts';
 import { type Companion, type Display, OutputPass } from './output-pass.ts';
+import { divideByAlpha, isWebGPU, numbersOf, readTarget, readTexel } from './read-back.ts';
 
 export interface RendererOptions {
   /** Where frames appear; three.js makes one when it is left out: `renderer.canvas`. */
@@ -96,11 +99,13 @@ export class RealtimeRenderer {
   readonly #lighting = new LampLighting();
   readonly #meter = new ExposureMeter();
   readonly #dataViews = new DataViews(this.#inputs);
+  readonly #repeated = new RepeatedMeshes();
   /** While the frame has one. */
   #ground: GroundCatcher | null = null;
   /** Of the last frame. */
   #camera: Camera | undefined;
   #drawnAt = 0;
+  readonly #compiling = new CompileQueue();
   #metered = false;
   #transparent = false;
   /** Shown instead of a part of the frame; readRadiance() does not see it. */
@@ -130,7 +135,7 @@ export class RealtimeRenderer {
   }
 
   get backend(): 'webgpu' | 'webgl' {
-    return 'isWebGPUBackend' in this.three.backend ? 'webgpu' : 'webgl';
+    return isWebGPU(this.three) ? 'webgpu' : 'webgl';
   }
 
   /** Further frames of a scene that stands still would be better ones. */
@@ -154,14 +159,45 @@ export class RealtimeRenderer {
     this.#inputs.changed();
   }
 
-  /** Compiles what the scene needs without drawing it, so that the page stays alive meanwhile. */
-  async compile({ scene, camera }: Renderable, settings: FrameSettings, size: Size): Promise<void> {
+  /**
+   * Compiles what the scene needs without drawing it, so that the page stays alive meanwhile.
+   *
+   * @param only those of drawn() that need it, where the others are known to have been drawn
+   */
+  async compile(
+    renderable: Renderable,
+    settings: FrameSettings,
+    size: Size,
+    only?: readonly Mesh[],
+  ): Promise<void> {
+    await this.#compiling.add(() => this.#compile(renderable, settings, size, only));
+  }
+
+  async #compile(
+    { scene, camera }: Renderable,
+    settings: FrameSettings,
+    size: Size,
+    only?: readonly Mesh[],
+  ): Promise<void> {
     this.#fit(camera, settings, size);
     this.#follow(settings);
-    this.three.setRenderTarget(this.#radiance);
-    const compiled = this.#withGround(scene, () => this.three.compileAsync(scene, camera));
-    this.three.setRenderTarget(null);
+    const { three } = this;
+    // Within one call three.js takes lights and environment to be those it found first, and counts only what it draws as calls.
+    (three.info as { calls: number }).calls += 1;
+    const compile = () => three.compileAsync(scene, camera);
+    three.setRenderTarget(this.#radiance);
+    let compiled: Promise<void>;
+    try {
+      compiled = this.#within(scene, camera, only ? () => withOnly(scene, only, compile) : compile);
+    } finally {
+      three.setRenderTarget(null);
+    }
     await compiled;
+  }
+
+  /** What draws a scene: its meshes, and such as stand for many of them. */
+  drawn(scene: Scene): readonly Mesh[] {
+    return this.#repeated.drawn(scene);
   }
 
   /** @param seconds since the last frame; left out, those that have passed */
@@ -223,26 +259,13 @@ export class RealtimeRenderer {
   /** The last frame as linear radiance, as large as it was rendered: the size times the resolution scale. */
   async readRadiance(): Promise<Radiance> {
     const { width, height } = this.#result;
-    const data = await this.#read(this.#result);
-    const pixels = data instanceof Uint16Array ? Float32Array.from(data, fromHalf) : (data as Float32Array);
+    const pixels = numbersOf(await readTarget(this.three, this.#result)) as Float32Array;
     return { width, height, pixels };
   }
 
   /** One pixel of it. @param x @param y its place, from 0 at the left and the top to 1 */
-  async readPixel(x: number, y: number): Promise<[number, number, number, number]> {
-    const { width, height } = this.#result;
-    const at = (part: number, length: number) => Math.min(length - 1, Math.max(0, Math.floor(part * length)));
-    const [column, row] = [at(x, width), at(y, height)];
-    const fromTop = this.backend === 'webgl' ? height - 1 - row : row;
-    const data = (await this.three.readRenderTargetPixelsAsync(
-      this.#result,
-      column,
-      fromTop,
-      1,
-      1,
-    )) as Pixels;
-    const [r = 0, g = 0, b = 0, a = 0] = data instanceof Uint16Array ? Array.from(data, fromHalf) : data;
-    return [r, g, b, a];
+  readPixel(x: number, y: number): Promise<[number, number, number, number]> {
+    return readTexel(this.three, this.#result, x, y);
   }
 
   /**
@@ -253,7 +276,7 @@ export class RealtimeRenderer {
     const { width, height } = this.three.domElement;
     const target = new RenderTarget(width, height, { type: UnsignedByteType, depthBuffer: false });
     this.#show(view, companion, target);
-    const pixels = (await this.#read(target)) as Uint8Array;
+    const pixels = (await readTarget(this.three, target)) as Uint8Array;
     target.dispose();
     if (this.#transparent) divideByAlpha(pixels);
     return pixels;
@@ -274,11 +297,14 @@ export class RealtimeRenderer {
     this.#meter.dispose();
     this.#dataViews.dispose();
     this.#ground?.dispose();
+    this.#repeated.dispose();
     this.#radiance.dispose();
   }
 
-  #withGround<T>(scene: Scene, draw: () => T): T {
-    return this.#ground === null ? draw() : this.#ground.within(scene, draw);
+  /** With what is in the scene only while the picture is drawn. */
+  #within<T>(scene: Scene, camera: PerspectiveCamera, draw: () => T): T {
+    const all = () => this.#repeated.within(scene, camera, draw);
+    return this.#ground === null ? all() : this.#ground.within(scene, all);
   }
 
   #follow(settings: FrameSettings): void {
@@ -303,7 +329,8 @@ export class RealtimeRenderer {
     projectionMatrix.elements[9]! -= y;
     projectionMatrixInverse.copy(projectionMatrix).invert();
     three.setRenderTarget(this.#radiance);
-    this.#withGround(scene, () => three.render(scene, camera));
+    this.#within(scene, camera, () => three.render(scene, camera));
+    this.#repeated.tidy();
     three.setRenderTarget(null);
     projectionMatrix.copy(before);
     projectionMatrixInverse.copy(inverseBefore);
@@ -389,31 +416,5 @@ export class RealtimeRenderer {
       camera.updateProjectionMatrix();
     }
     return radiance;
-  }
-
-  /** Rows from the top on both back ends: WebGL's start at the bottom. */
-  async #read(target: RenderTarget): Promise<Pixels> {
-    const { width, height } = target;
-    const pixels = (await this.three.readRenderTargetPixelsAsync(target, 0, 0, width, height)) as Pixels;
-    if (this.backend === 'webgl') reverseRows(pixels, width * 4);
-    return pixels;
-  }
-}
-
-type Pixels = Float32Array | Uint16Array | Uint8Array;
-
-function divideByAlpha(pixels: Uint8Array): void {
-  for (let i = 0; i < pixels.length; i += 4) {
-    const alpha = pixels[i + 3]!;
-    if (alpha > 0 && alpha < 255)
-      for (let c = 0; c < 3; c++) pixels[i + c] = Math.min(255, Math.round((255 * pixels[i + c]!) / alpha));
-  }
-}
-
-function reverseRows(pixels: Pixels, length: number): void {
-  for (let top = 0, bottom = pixels.length - length; top < bottom; top += length, bottom -= length) {
-    const row = pixels.slice(top, top + length);
-    pixels.copyWithin(top, bottom, bottom + length);
-    pixels.set(row, bottom);
   }
 }

@@ -6,10 +6,12 @@
 
 import type { DRACOLoader } from 'three/addons/loaders/DRACOLoader.js';
 import * as THREE from 'three/webgpu';
+import { ByteError } from '../io/bytes.ts';
 import { type GltfFile, readGltf, textureImage } from '../io/gltf/file.ts';
 import type { Geometries } from '../io/gltf/geometry.ts';
 import { decodeBase64, decodeDataUrl } from './base64.ts';
 import { type ComputedSource, computeEnvironment, type EnvironmentMap } from './environment-map.ts';
+import { isPattern } from './pattern/asset.ts';
 import { type EnvironmentPreset, loadPreset, loadSuzanne } from './presets.ts';
 import type { Asset } from './schema.ts';
 
@@ -24,8 +26,12 @@ export interface AssetPlatform {
   openGltf?(asset: Asset): GltfSource | null;
   /** The same for an environment. */
   decodeEnvironment?(asset: Asset): Promise<THREE.DataTexture> | null;
-  /** The same for one that is computed. */
+  /** The same for a picture of a pattern. */
+  drawPattern?(asset: Asset, texture: number | null): Promise<TextureImage>;
+  /** The same for an environment that is computed. */
   computeEnvironment?(source: ComputedSource): Promise<EnvironmentMap>;
+  /** Is told of an environment that ships, which is loaded. */
+  onPreset?(name: EnvironmentPreset, coming: Promise<unknown>): void;
 }
 
 /** A glTF file that is open. */
@@ -100,7 +106,9 @@ export class AssetLoader {
   async preset(name: EnvironmentPreset): Promise<THREE.DataTexture> {
     let image: string;
     try {
-      image = await loadPreset(name);
+      const coming = loadPreset(name);
+      this.#platform.onPreset?.(name, coming);
+      image = await coming;
     } catch (cause) {
       throw new Error(
         `the environment "${name}" did not come; without a network only what was loaded before is there`,
@@ -118,6 +126,8 @@ export class AssetLoader {
   }
 
   async #decodeImage(asset: Asset, texture: number | null): Promise<TextureImage> {
+    // What is wrong with it says already in which pattern and where.
+    if (isPattern(asset)) return this.#drawPattern(asset, texture);
     try {
       if (texture === null)
         return await this.#platform.decodeImage(decodeBase64(asset.data), asset.mediaType);
@@ -126,6 +136,12 @@ export class AssetLoader {
       const place = texture === null ? asset.name : `${asset.name}, textures[${texture}]`;
       throw new Error(`${place}: the image cannot be read: ${messageOf(cause)}`, { cause });
     }
+  }
+
+  async #drawPattern(asset: Asset, texture: number | null): Promise<TextureImage> {
+    if (this.#platform.drawPattern) return this.#platform.drawPattern(asset, texture);
+    const { drawPatternAsset } = await import('./pattern/draw.ts');
+    return drawPatternAsset(asset, texture);
   }
 
   #openGltf(file: GltfFile): GltfSource {
@@ -168,14 +184,33 @@ async function decodeEnvironment(bytes: Uint8Array<ArrayBuffer>, name: string): 
   const isHdr = bytes[0] === 0x23 && bytes[1] === 0x3f;
   if (!isExr && !isHdr) throw new Error(`${name}: neither a Radiance HDR nor an OpenEXR image`);
   try {
-    const loader = isExr
-      ? new (await import('three/addons/loaders/EXRLoader.js')).EXRLoader()
-      : new (await import('three/addons/loaders/HDRLoader.js')).HDRLoader();
-    const texture = loader.createDataTexture(bytes.buffer);
+    const texture = await (isExr ? readExr(bytes, name) : readHdr(bytes, name));
     texture.mapping = THREE.EquirectangularReflectionMapping;
     texture.name = name;
     return texture;
   } catch (cause) {
+    // Says already in which file and where.
+    if (cause instanceof ByteError) throw cause;
     throw new Error(`${name}: the image cannot be read: ${messageOf(cause)}`, { cause });
   }
+}
+
+async function readExr(bytes: Uint8Array<ArrayBuffer>, name: string): Promise<THREE.DataTexture> {
+  const { checkExr } = await import('../io/exr-check.ts');
+  checkExr(bytes, name);
+  const { EXRLoader } = await import('three/addons/loaders/EXRLoader.js');
+  return new EXRLoader().createDataTexture(bytes.buffer);
+}
+
+async function readHdr(bytes: Uint8Array<ArrayBuffer>, name: string): Promise<THREE.DataTexture> {
+  const { decodeHdr } = await import('../io/hdr.ts');
+  const { width, height, pixels } = decodeHdr(bytes, name);
+  const texture = new THREE.DataTexture(pixels, width, height, THREE.RGBAFormat, THREE.HalfFloatType);
+  texture.colorSpace = THREE.LinearSRGBColorSpace;
+  texture.minFilter = THREE.LinearFilter;
+  texture.magFilter = THREE.LinearFilter;
+  // Rows are from the top, a texture's from the bottom.
+  texture.flipY = true;
+  texture.needsUpdate = true;
+  return texture;
 }

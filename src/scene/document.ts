@@ -1,10 +1,10 @@
 /** Documents from and to text. */
 import { freeze } from 'immer';
-import { DocumentError, type Path, pathText } from './error.ts';
+import { DocumentError, type Path, pathText, schemaIssues } from './error.ts';
 import { findJsonFault } from './json-position.ts';
 import { migrate, type PlainObject } from './migrations.ts';
 import { type Document, documentFileSchema } from './schema.ts';
-import { documentIssues, schemaIssues } from './validate.ts';
+import { documentIssues } from './validate.ts';
 
 /** No document is nested this deep, nor has this many values: what is, is not a document. */
 const maxDepth = 16;

@@ -1,4 +1,5 @@
 /** What is wrong with a document, and where. */
+import type { z } from 'zod';
 
 export type Path = readonly (string | number)[];
 
@@ -23,6 +24,19 @@ export function pathText(path: readonly PropertyKey[]): string {
 /** Names from a stranger's file can be megabytes long; a message should not be. */
 export function shortened(text: string, length = 80): string {
   return text.length <= length ? text : `${text.slice(0, length)}…`;
+}
+
+/** A schema's findings, in our words where zod's are for programmers. */
+export function schemaIssues(error: z.ZodError, prefix: Path = []): DocumentIssue[] {
+  return error.issues.map((issue) => {
+    const path = [...prefix, ...issue.path];
+    if (issue.code === 'unrecognized_keys') {
+      const key = issue.keys[0] ?? '';
+      return { path: pathText([...path, key]), message: 'there is no such field' };
+    }
+    if (issue.code === 'invalid_key') return { path: pathText(path), message: 'not a valid name or id here' };
+    return { path: pathText(path), message: shortened(issue.message, 400) };
+  });
 }
 
 /** A document that cannot be read or would become invalid. The message says file, path and fault. */

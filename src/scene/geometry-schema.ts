@@ -189,6 +189,9 @@ export function quadCount(geometry: Geometry): number {
   }
 }
 
+/** Of the different primitives of a document together: some seconds of work, a gigabyte of memory. */
+export const maxQuadsInAll = 4 * maxQuads;
+
 const tooFine = {
   path: ['type'],
   message: `Too many segments: a geometry may have at most ${2 * maxQuads} triangles`,

@@ -175,6 +175,8 @@ function put(
  */
 export function dropEmptied(draft: Draft, before: Document, others: readonly string[] = []): void {
   const had = memberCounts(before);
+  // To copy the draft costs as much as the scene has.
+  if (had.size === 0 && others.length === 0) return;
   const now = current(draft);
   const has = memberCounts(now);
   for (const id of Object.keys(now.groups)) {

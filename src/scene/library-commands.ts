@@ -2,10 +2,12 @@
 import type { ParameterValue } from '../brdf/model.ts';
 import { entity } from './entity.ts';
 import { putMaterial } from './material-commands.ts';
-import { materialDefaults } from './material-schema.ts';
+import { materialDefaults, materialMaps } from './material-schema.ts';
 import { findModel } from './models.ts';
+import { isPattern } from './pattern/asset.ts';
 import type { Material } from './schema.ts';
 import type { DocumentStore, Draft } from './store.ts';
+import { assetsOf } from './validate.ts';
 
 /** What of a material is its look: not its textures, transparency and light of its own. */
 export interface MaterialLook {
@@ -18,7 +20,7 @@ export interface GiveOptions {
   /** Puts the material into the draft; returns its id. */
   put(draft: Draft): string;
   /** Whether a material that no object has any more was only tried, and may go with this step. */
-  isTry?(material: Material): boolean;
+  isTry?(material: Material, draft: Draft): boolean;
 }
 
 /** Gives objects a material from elsewhere. Without objects it is only added. Returns its id. */
@@ -36,12 +38,21 @@ export function giveMaterial(
     for (const old of before) {
       const material = draft.materials[old];
       const isUsed = Object.values(draft.objects).some((object) => object.material === old);
-      if (!material || isUsed || !isTry?.(material)) continue;
+      if (!material || isUsed || !isTry?.(material, draft)) continue;
       delete draft.materials[old];
+      dropPatterns(draft, assetIds(material));
       if (draft.view.term?.material === old) draft.view.term = null;
     }
   });
   return id;
+}
+
+const assetIds = (material: Material): string[] => assetsOf(material).map(([, id]) => id);
+
+/** The patterns among what a material has no longer, where no other has them: a pattern alone is nothing that a person made. */
+function dropPatterns(draft: Draft, gone: readonly string[]): void {
+  const used = new Set(Object.values(draft.materials).flatMap(assetIds));
+  for (const id of gone) if (!used.has(id) && isPattern(draft.assets[id])) delete draft.assets[id];
 }
 
 /** The material of these values that is there already, or a new one. */
@@ -54,7 +65,7 @@ export function putMaterialOnce(draft: Draft, values: Partial<Material>): string
 }
 
 /** With the keys in one order, so that texts can be compared. */
-function sorted(value: unknown): unknown {
+export function sorted(value: unknown): unknown {
   if (typeof value !== 'object' || value === null) return value;
   if (Array.isArray(value)) return value.map(sorted);
   return Object.fromEntries(
@@ -85,7 +96,12 @@ export function putLook(draft: Draft, id: string, look: MaterialLook): void {
   const material = entity(draft, 'materials', id);
   material.model = look.model;
   material.parameters = structuredClone(look.parameters) as Material['parameters'];
+  const before = assetIds(material);
   material.textures = {};
+  // Normals of a pattern belong to the look that goes.
+  for (const map of materialMaps)
+    if (isPattern(draft.assets[material[map]?.asset ?? ''])) material[map] = null;
+  dropPatterns(draft, before);
   material.multipleScattering = look.multipleScattering;
   const terms = findModel(draft, look.model)?.terms ?? [];
   if (draft.view.term?.material === id && !terms.includes(draft.view.term.name)) draft.view.term = null;

@@ -2,6 +2,7 @@
 
 import type { Parameter, ParameterValue } from '../brdf/model.ts';
 import { checkValue } from '../brdf/values.ts';
+import { carriedLook } from './carried-look.ts';
 import { entity, namesOf } from './entity.ts';
 import { DocumentError, pathText } from './error.ts';
 import { materialDefaults, modelNamePattern, type TextureRef } from './material-schema.ts';
@@ -47,20 +48,32 @@ export function assignMaterial(store: DocumentStore, objects: readonly string[],
   });
 }
 
-/** Another model: parameters and textures that both models have, by name and type, stay. */
+/** Gives objects copies of their materials, which no other object has: one of each. Returns the copies' ids. */
+export function giveOwnMaterials(store: DocumentStore, objects: readonly string[]): string[] {
+  const { document } = store;
+  const own = [...new Set(objects.map((id) => entity(document, 'objects', id).material))];
+  const [first] = own;
+  const copies = new Map<string, string>();
+  const what =
+    own.length === 1 && first ? entity(document, 'materials', first).name : `${own.length} materials`;
+  store.edit(`Own copy of ${what}`, (draft) => {
+    for (const id of own)
+      copies.set(id, putMaterial(draft, structuredClone(entity(document, 'materials', id))));
+    for (const id of objects) {
+      const object = entity(draft, 'objects', id);
+      object.material = copies.get(object.material) ?? object.material;
+    }
+  });
+  return [...copies.values()];
+}
+
+/** Another model: what it can show of the look stays, see carriedLook(). */
 export function setMaterialModel(store: DocumentStore, id: string, model: string): void {
   const material = entity(store.document, 'materials', id);
   const next = findModel(store.document, model);
-  const current = findModel(store.document, material.model);
+  const look = carriedLook(findModel(store.document, material.model), next, material);
   store.edit(`Model of ${material.name}: ${model}`, (draft) => {
-    const target = entity(draft, 'materials', id);
-    target.model = model;
-    const stays = (name: string): boolean => {
-      const then = current?.parameters.find((parameter) => parameter.name === name);
-      return next?.parameters.some((now) => now.name === name && now.type === then?.type) ?? false;
-    };
-    for (const name of Object.keys(target.parameters)) if (!stays(name)) delete target.parameters[name];
-    for (const name of Object.keys(target.textures)) if (!stays(name)) delete target.textures[name];
+    Object.assign(entity(draft, 'materials', id), { model, ...structuredClone(look) });
     if (draft.view.term?.material === id && !next?.terms.includes(draft.view.term.name))
       draft.view.term = null;
   });

@@ -28,9 +28,12 @@ export const modelName = z
 
 const textureShape = {
   asset: reference('The image, or the glTF file that holds it', 'assets'),
-  texture: integerOrNull('Index of the texture in a glTF file; null for an image', {
-    range: [0, 1e6],
-  }),
+  texture: integerOrNull(
+    'Index of the texture in a glTF file; of a pattern 0 its colour, 1 its normals, 2 its height (r) and roughness (g); null for an image',
+    {
+      range: [0, 1e6],
+    },
+  ),
   channel: choiceOrNull('The channel that drives a number; null takes the colour', ['r', 'g', 'b', 'a']),
   colorSpace: choice('sRGB for colours, linear for data', ['srgb', 'linear']),
   repeat: vector2('How often the image repeats over the surface', {

@@ -59,6 +59,19 @@ export class SceneMirror {
     if (before?.camera !== document.camera) setCamera(this.camera, document.camera);
   }
 
+  /** Shows another document, from which no undo leads back: what has gone is not kept for its return. */
+  open(document: Document): void {
+    // Nor does it return for an id that this document happens to have, too.
+    this.#forget();
+    this.apply(document);
+    this.#forget();
+  }
+
+  #forget(): void {
+    this.#objects.forget();
+    this.#lights.forget();
+  }
+
   /** Every asset asked for so far has come or failed. */
   settled(): Promise<void> {
     return this.#pending.settled();

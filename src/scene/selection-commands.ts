@@ -7,7 +7,7 @@ import { removeMaterials } from './material-commands.ts';
 import { FreeIds, FreeNames } from './names.ts';
 import { insertAfter, type PlacedKind, parentOf } from './order.ts';
 import type { Document, Light, Material, SceneObject } from './schema.ts';
-import type { DocumentStore } from './store.ts';
+import type { DocumentStore, Draft } from './store.ts';
 
 /** What is locked among these. */
 export function lockedOf(document: Document, refs: readonly EntityRef[]): MemberRef[] {
@@ -50,14 +50,20 @@ export function removeEntities(
  * Copies them, groups that are there as a whole among them, and returns the copies, in the same order. Copies come behind
  * the last of their originals in the same group. The copy of an object shares its material; copies are not locked, for they
  * are there to be moved.
+ *
+ * @param merge of a drag that moves the copies in the same undo step
  */
-export function duplicateEntities(store: DocumentStore, refs: readonly EntityRef[]): EntityRef[] {
+export function duplicateEntities(
+  store: DocumentStore,
+  refs: readonly EntityRef[],
+  merge?: string,
+): EntityRef[] {
   const { document } = store;
   const originals = unique(refs);
   for (const { kind, id } of originals) entity(document, kind, id);
   const chosen = new Set(originals.map(keyOf));
   const copies = new Map<string, EntityRef>();
-  store.edit(`Duplicate ${describeEntities(document, originals)}`, (draft) => {
+  const recipe = (draft: Draft) => {
     const copyOf = new Map<string, string>();
     const groups = copiesOf(document, 'groups', wholeGroups(document, originals), (id, own) => {
       copyOf.set(id, own);
@@ -83,7 +89,12 @@ export function duplicateEntities(store: DocumentStore, refs: readonly EntityRef
         ),
       );
     }
-  });
+  };
+  store.edit(
+    `Duplicate ${describeEntities(document, originals)}`,
+    recipe,
+    merge === undefined ? {} : { merge },
+  );
   return originals.flatMap((ref) => copies.get(keyOf(ref)) ?? []);
 }
 
@@ -103,7 +114,8 @@ function copiesOf<T extends { name: string }>(
     const group = parentOf(document, kind, id);
     const copy = ids.take(baseOf(id));
     const original = make(id, copy);
-    const entry = [copy, { ...structuredClone(original), name: names.take(original.name) }] as const;
+    // What is in it is frozen, and may be that of both.
+    const entry = [copy, { ...original, name: names.take(original.name) }] as const;
     const others = byGroup.get(group);
     if (others) {
       others.own.push(entry);

@@ -89,10 +89,14 @@ export class DocumentStore {
     this.#change(after, label, 'edit');
   }
 
-  /** Takes back a drag that is under way as though it had never been: what it made impossible to redo can be redone. */
+  /**
+   * Takes back a drag that is under way as though it had never been: what it made impossible to redo can be redone.
+   *
+   * @param merge the edits' key, or the last word of it
+   */
   abandon(merge: string): void {
     const last = this.#done.at(-1);
-    if (last === undefined || last.merge !== merge) return;
+    if (last?.merge === undefined || !` ${last.merge}`.endsWith(` ${merge}`)) return;
     this.#done.pop();
     this.#undone = this.#forgotten;
     this.#change(last.before, last.label, 'undo');

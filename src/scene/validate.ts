@@ -5,8 +5,9 @@
  */
 import { z } from 'zod';
 import type { Parameter } from '../brdf/model.ts';
-import { type DocumentIssue, type Path, pathText, shortened } from './error.ts';
+import { type DocumentIssue, type Path, pathText, schemaIssues, shortened } from './error.ts';
 import { id } from './fields.ts';
+import { maxQuadsInAll, quadCount } from './geometry-schema.ts';
 import { materialMaps, modelName } from './material-schema.ts';
 import { findModel, modelFault, modelNames, modelOrigin } from './models.ts';
 import {
@@ -19,6 +20,7 @@ import {
   entitySchemas,
   type Group,
   type Material,
+  objectShape,
   singles,
 } from './schema.ts';
 
@@ -29,19 +31,6 @@ export function documentIssues(document: Document, valid?: Document): DocumentIs
   if (shape.length > 0) return shape;
   const models = modelIssues(document, valid);
   return models.length > 0 ? models : referenceIssues(document, valid);
-}
-
-/** A schema's findings, in our words where zod's are for programmers. */
-export function schemaIssues(error: z.ZodError, prefix: Path = []): DocumentIssue[] {
-  return error.issues.map((issue) => {
-    const path = [...prefix, ...issue.path];
-    if (issue.code === 'unrecognized_keys') {
-      const key = issue.keys[0] ?? '';
-      return { path: pathText([...path, key]), message: 'there is no such field' };
-    }
-    if (issue.code === 'invalid_key') return { path: pathText(path), message: 'not a valid name or id here' };
-    return { path: pathText(path), message: shortened(issue.message, 400) };
-  });
 }
 
 /** The ids of each collection, and their number. */
@@ -84,14 +73,52 @@ function shapeIssues(document: Document, valid: Document | undefined): DocumentI
       check(documentShape[name], entities, [name]);
       continue;
     }
-    for (const [id, entity] of Object.entries(entities))
-      if (entity !== before[id] && !trusted.has(entity)) check(entitySchemas[name], entity, [name, id]);
+    const isKnown = name === 'objects' ? knownObjects(before as Document['objects']) : () => false;
+    for (const [id, entity] of Object.entries(entities)) {
+      if (entity === before[id] || trusted.has(entity) || isKnown(id, entity)) continue;
+      check(entitySchemas[name], entity, [name, id]);
+    }
     // The entities themselves have just been seen.
     const ids = Object.keys(entities);
     if (ids.some((id) => !Object.hasOwn(before, id)))
       check(idSchemas[name], Object.fromEntries(ids.map((id) => [id, null])), [name]);
   }
   return issues;
+}
+
+const objectFields = Object.entries(objectShape);
+
+/**
+ * Of thousands of objects that an edit moves or copies, only what is not as in a valid one is looked at: a field that is the
+ * object's own as before, or whose value is the very one of another object's, as a copy has it.
+ *
+ * @returns whether an object, which may be anything, is valid; false leaves it open
+ */
+function knownObjects(valid: Document['objects']): (id: string, object: unknown) => boolean {
+  let others: ReadonlyMap<string, ReadonlySet<unknown>> | undefined;
+  const valuesOf = (name: string): ReadonlySet<unknown> => {
+    others ??= new Map(objectFields.map(([field]) => [field, new Set(fieldsOf(valid, field))]));
+    return others.get(name) as ReadonlySet<unknown>;
+  };
+  return (id, object) => {
+    if (typeof object !== 'object' || object === null) return false;
+    const now = object as Readonly<Record<string, unknown>>;
+    const before = Object.hasOwn(valid, id) ? (valid[id] as Readonly<Record<string, unknown>>) : undefined;
+    return (
+      Object.keys(now).length === objectFields.length &&
+      objectFields.every(
+        ([name, schema]) =>
+          Object.hasOwn(now, name) &&
+          ((before !== undefined && before[name] === now[name]) ||
+            (before === undefined && valuesOf(name).has(now[name])) ||
+            schema.safeParse(now[name]).success),
+      )
+    );
+  };
+}
+
+function* fieldsOf(objects: Readonly<Record<string, object>>, name: string): Generator<unknown> {
+  for (const object of Object.values(objects)) yield (object as Readonly<Record<string, unknown>>)[name];
 }
 
 /** Whether something that others may name has gone or is new under its old name. */
@@ -131,6 +158,11 @@ function referenceIssues(document: Document, valid: Document | undefined): Docum
     if (object.geometry.type === 'gltf')
       need('assets', object.geometry.asset, ['objects', id, 'geometry', 'asset']);
   }
+  if (valid === undefined && quadsOf(document) > maxQuadsInAll)
+    issues.push({
+      path: 'objects',
+      message: `Too many segments: all shapes together may have at most ${2 * maxQuadsInAll} triangles`,
+    });
   for (const name of ['objects', 'lights'] as const)
     for (const [id, { group }] of changed<{ group: string | null }>(document[name], before?.[name]))
       if (group !== null) need('groups', group, [name, id, 'group']);
@@ -153,14 +185,25 @@ function referenceIssues(document: Document, valid: Document | undefined): Docum
   return issues;
 }
 
-/** Every parent exists, and no group is in itself. */
+/** Of all primitives, equal ones once: the page makes these once, too. */
+function quadsOf({ objects }: Document): number {
+  const different = new Map<string, number>();
+  for (const { geometry } of Object.values(objects))
+    different.set(JSON.stringify(geometry), quadCount(geometry));
+  return [...different.values()].reduce((sum, count) => sum + count, 0);
+}
+
+/** Panels show groups within each other, each further in. */
+const maxGroupDepth = 256;
+
+/** Every parent exists, and no group is in itself, nor deep within others. */
 function groupIssues({ groups }: Document): DocumentIssue[] {
   const issues: DocumentIssue[] = [];
-  const sound = new Set<string>();
+  const depths = new Map<string, number>();
   for (const start of Object.keys(groups)) {
     const way = new Set<string>();
     let at: string | null = start;
-    while (at !== null && !sound.has(at)) {
+    while (at !== null && !depths.has(at)) {
       const report = (message: string) =>
         issues.push({ path: pathText(['groups', start, 'parent']), message });
       if (way.has(at)) {
@@ -175,7 +218,15 @@ function groupIssues({ groups }: Document): DocumentIssue[] {
       way.add(at);
       at = group.parent;
     }
-    for (const id of way) sound.add(id);
+    let depth = at === null ? 0 : (depths.get(at) ?? 0);
+    for (const id of [...way].reverse()) depths.set(id, ++depth);
+    if (depth > maxGroupDepth) {
+      issues.push({
+        path: pathText(['groups', start, 'parent']),
+        message: `more than ${maxGroupDepth} groups within each other`,
+      });
+      break;
+    }
   }
   return issues;
 }

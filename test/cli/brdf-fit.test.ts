@@ -1,12 +1,12 @@
-import { mkdtempSync, readFileSync, writeFileSync } from 'node:fs';
-import { tmpdir } from 'node:os';
+import { readFileSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { beforeAll, describe, expect, test } from 'vitest';
-import { built, irradia } from '../support/cli.ts';
+import { built, called, irradia } from '../support/cli.ts';
+import { temporaryFolder } from '../support/folder.ts';
 
 beforeAll(() => built('cli'));
 
-const folder = mkdtempSync(join(tmpdir(), 'irradia-test-'));
+const folder = temporaryFolder();
 const gloss = join(folder, 'gloss.brdf');
 writeFileSync(
   gloss,
@@ -47,7 +47,7 @@ describe('brdf fit', () => {
   test('tells machines the same, keeps what is fixed, and writes a material', async () => {
     const output = join(folder, 'material.json');
     const words = ['brdf', 'fit', 'lambert', '--parameters', '{"albedo": [0.5, 0.4, 0.2]}', '--model', gloss];
-    const { code, stdout } = await irradia([
+    const { code, stdout } = await called([
       ...words,
       '--fix',
       'power=3',
@@ -70,7 +70,7 @@ describe('brdf fit', () => {
   });
 
   test('names the class of a shipped model', async () => {
-    const { stdout } = await irradia(['brdf', 'fit', gloss, '--model', 'lambert']);
+    const { stdout } = await called(['brdf', 'fit', gloss, '--model', 'lambert']);
     expect(stdout).toMatch(
       /import \{ LambertMaterial \} from 'irradia';\n\nconst material = new LambertMaterial\(\{/,
     );
@@ -89,16 +89,16 @@ describe('brdf fit', () => {
       'irradia: --parameters: expected an object such as {"roughness": 0.3}\n',
     ],
   ])('says what is wrong with a call: %j', async (words, stderr) => {
-    expect(await irradia(['brdf', 'fit', ...words])).toEqual({ code: 2, stdout: '', stderr });
+    expect(await called(['brdf', 'fit', ...words])).toEqual({ code: 2, stdout: '', stderr });
   });
 });
 
 describe('a .bparam file', () => {
   test('is the model that it names, with the saved values', async () => {
-    const { stdout } = await irradia(['brdf', 'show', saved]);
+    const { stdout } = await called(['brdf', 'show', saved]);
     expect(stdout).toMatch(/^gloss\n/);
     expect(stdout).toContain('float power = 40 (1 to 100)');
-    const answer = await irradia(['brdf', 'eval', saved], '{"l": [0, 0, 1], "v": [0, 0, 1]}\n');
+    const answer = await called(['brdf', 'eval', saved], '{"l": [0, 0, 1], "v": [0, 0, 1]}\n');
     expect(JSON.parse(answer.stdout)).toEqual({ f: [0.5, 0.25, 0.125] });
   });
 
@@ -112,10 +112,10 @@ describe('a .bparam file', () => {
       return path;
     };
     const query = '{"l": [0, 0, 1], "v": [0, 0, 1]}\n';
-    const shipped = await irradia(['brdf', 'eval', write('a.bparam', 'lambert.brdf')], query);
+    const shipped = await called(['brdf', 'eval', write('a.bparam', 'lambert.brdf')], query);
     expect(shipped.stderr).toMatch(/a\.bparam: lambert has no such parameters: foo\n$/);
     expect(JSON.parse(shipped.stdout)).toEqual({ f: [0, 0, 0] });
-    const missing = await irradia(['brdf', 'show', write('b.bparam', 'other.brdf')]);
+    const missing = await called(['brdf', 'show', write('b.bparam', 'other.brdf')]);
     expect(missing.code).toBe(1);
     expect(missing.stderr).toMatch(/b\.bparam has values for other\.brdf; there is no such file beside it/);
   });

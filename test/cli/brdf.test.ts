@@ -1,13 +1,14 @@
-import { mkdtempSync, writeFileSync } from 'node:fs';
-import { tmpdir } from 'node:os';
+import { writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { beforeAll, describe, expect, test } from 'vitest';
 import { shippedModels } from '../../models/index.ts';
-import { built, irradia } from '../support/cli.ts';
+import { built, called, irradia } from '../support/cli.ts';
+import { temporaryFolder } from '../support/folder.ts';
 
 beforeAll(() => built('cli'));
 
-const file = join(mkdtempSync(join(tmpdir(), 'irradia-test-')), 'half.brdf');
+const folder = temporaryFolder();
+const file = join(folder, 'half.brdf');
 writeFileSync(
   file,
   `analytic
@@ -46,7 +47,7 @@ describe('brdf list', () => {
         .split('\n')
         .map((line) => line.split(' ')[0]),
     ).toEqual([...shippedModels.keys()]);
-    const json = JSON.parse((await irradia(['brdf', 'list', '--json'])).stdout);
+    const json = JSON.parse((await called(['brdf', 'list', '--json'])).stdout);
     expect(json).toEqual([...shippedModels.values()].map(({ name, file }) => ({ name, title: file.title })));
   });
 });
@@ -62,7 +63,7 @@ describe('brdf show', () => {
   });
 
   test('tells machines the same', async () => {
-    const { stdout } = await irradia(['brdf', 'show', file, '--json']);
+    const { stdout } = await called(['brdf', 'show', file, '--json']);
     expect(JSON.parse(stdout)).toMatchObject({
       name: 'half',
       title: 'Half a diffuse reflection',
@@ -79,7 +80,7 @@ describe('brdf show', () => {
 
   test('every model that ships has references', async () => {
     for (const name of shippedModels.keys()) {
-      const { stdout } = await irradia(['brdf', 'show', name, '--json']);
+      const { stdout } = await called(['brdf', 'show', name, '--json']);
       expect(JSON.parse(stdout).references, name).not.toBe('');
     }
   });
@@ -90,18 +91,18 @@ describe('brdf show', () => {
       broken,
       'analytic\n::begin parameters\nfloat x\n::end parameters\n::begin shader\n::end shader\n',
     );
-    const { code, stdout, stderr } = await irradia(['brdf', 'show', broken]);
+    const { code, stdout, stderr } = await called(['brdf', 'show', broken]);
     expect([code, stdout]).toEqual([1, '']);
     expect(stderr).toMatch(/^irradia: .*half\.brdf\.broken\.brdf:3: .*\n$/);
   });
 
   test('says that a folder is no model', async () => {
-    const { code, stderr } = await irradia(['brdf', 'show', tmpdir()]);
-    expect([code, stderr]).toEqual([1, `irradia: ${tmpdir()}: is a folder; expected a file\n`]);
+    const { code, stderr } = await called(['brdf', 'show', folder]);
+    expect([code, stderr]).toEqual([1, `irradia: ${folder}: is a folder; expected a file\n`]);
   });
 
   test('names the models when there is none of that name', async () => {
-    const { code, stderr } = await irradia(['brdf', 'show', 'nosuch']);
+    const { code, stderr } = await called(['brdf', 'show', 'nosuch']);
     expect(code).toBe(1);
     expect(stderr).toMatch(/^irradia: there is no model 'nosuch' .*lambert/);
   });
@@ -143,7 +144,7 @@ describe('brdf eval', () => {
       JSON.stringify({ ...up, light: up.l }),
     ];
     const good = JSON.stringify(up);
-    const { code, stdout } = await irradia(['brdf', 'eval', file], [good, ...bad, good].join('\n'));
+    const { code, stdout } = await called(['brdf', 'eval', file], [good, ...bad, good].join('\n'));
     const answers = lines(stdout);
     expect(answers).toHaveLength(bad.length + 2);
     expect([answers[0], answers.at(-1)]).toEqual([{ f: [0.5, 0.25, 0.125] }, { f: [0.5, 0.25, 0.125] }]);
@@ -157,9 +158,9 @@ describe('brdf eval', () => {
   });
 
   test('evaluates one term', async () => {
-    const { stdout } = await irradia(['brdf', 'eval', file, '--term', 'whole'], JSON.stringify(up));
+    const { stdout } = await called(['brdf', 'eval', file, '--term', 'whole'], JSON.stringify(up));
     expect(lines(stdout)).toEqual([{ f: [1, 0.5, 0.25] }]);
-    const { code, stderr } = await irradia(['brdf', 'eval', file, '--term', 'hole']);
+    const { code, stderr } = await called(['brdf', 'eval', file, '--term', 'hole']);
     expect([code, stderr]).toEqual([2, "irradia: half has no term 'hole'; it has BRDF, whole\n"]);
   });
 
@@ -187,7 +188,7 @@ describe('brdf eval', () => {
       infinite,
       `analytic\n::begin parameters\n::end parameters\n::begin shader\n${body}\n::end shader\n`,
     );
-    const { code, stdout } = await irradia(['brdf', 'eval', infinite], JSON.stringify(up));
+    const { code, stdout } = await called(['brdf', 'eval', infinite], JSON.stringify(up));
     expect(lines(stdout)).toEqual([{ error: expect.stringContaining('not finite') }]);
     expect(code).toBe(1);
   });

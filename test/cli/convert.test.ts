@@ -1,17 +1,17 @@
-import { mkdirSync, mkdtempSync, readFileSync, writeFileSync } from 'node:fs';
-import { tmpdir } from 'node:os';
+import { mkdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { zipSync } from 'fflate';
 import { beforeAll, describe, expect, test, vi } from 'vitest';
 import { readGlb } from '../../src/io/gltf/glb.ts';
 import { encodePng } from '../../src/io/png.ts';
 import { parseDocument } from '../../src/scene/document.ts';
-import { built, irradia } from '../support/cli.ts';
+import { built, called, irradia } from '../support/cli.ts';
+import { temporaryFolder } from '../support/folder.ts';
 
 beforeAll(() => built('cli'));
 vi.setConfig({ testTimeout: 180_000 });
 
-const folder = mkdtempSync(join(tmpdir(), 'irradia-convert-'));
+const folder = temporaryFolder();
 const path = (name: string) => join(folder, name);
 const bytesOf = (text: string) => new TextEncoder().encode(text);
 const obj =
@@ -49,14 +49,14 @@ describe('irradia convert', () => {
 
   test('a zip, and says what is wrong with a file', async () => {
     writeFileSync(path('wall.zip'), zipSync({ 'x/wall.obj': bytesOf(obj), 'x/wall.mtl': bytesOf(mtl) }));
-    const zipped = await irradia(['convert', path('wall.zip'), '-o', path('zip.json')]);
+    const zipped = await called(['convert', path('wall.zip'), '-o', path('zip.json')]);
     expect(zipped.code).toBe(0);
     expect(zipped.stderr).toContain('maps/bricks.png did not come along');
     writeFileSync(path('bad.ply'), 'ply\nformat ascii 1.0\nelement vertex many\nend_header\n');
-    const bad = await irradia(['convert', path('bad.ply'), '-o', path('bad.json')]);
+    const bad = await called(['convert', path('bad.ply'), '-o', path('bad.json')]);
     expect(bad).toMatchObject({ code: 1 });
     expect(bad.stderr).toBe('irradia: bad.ply: line 3: expected "element NAME COUNT"\n');
-    expect((await irradia(['convert', path('wall.obj'), '-o', path('wall.fbx')])).code).toBe(2);
+    expect((await called(['convert', path('wall.obj'), '-o', path('wall.fbx')])).code).toBe(2);
   });
 });
 
@@ -73,6 +73,6 @@ test('irradia render takes a model', async () => {
     '--device',
     'software',
   ];
-  expect((await irradia(words)).code).toBe(0);
+  expect((await called(words)).code).toBe(0);
   expect(readFileSync(path('wall.png')).length).toBeGreaterThan(500);
 });

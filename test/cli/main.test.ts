@@ -1,5 +1,5 @@
 import { beforeAll, expect, test } from 'vitest';
-import { built, irradia } from '../support/cli.ts';
+import { built, called, irradia } from '../support/cli.ts';
 
 beforeAll(() => built('cli'));
 
@@ -11,13 +11,23 @@ test('--help lists the commands', async () => {
   }
 });
 
+test('what went wrong has its exit code', async () => {
+  const folder = 'irradia: -o no/such/folder/a.png: there is no folder no/such/folder\n';
+  const [option, place] = [
+    await irradia(['serve', '--port', '-1']),
+    await irradia(['render', 'lambert', '-o', 'no/such/folder/a.png']),
+  ];
+  expect(option).toEqual({ code: 2, stdout: '', stderr: 'irradia: --port -1: expected 0 to 65535\n' });
+  expect(place).toEqual({ code: 1, stdout: '', stderr: folder });
+});
+
 test.each([
   [['serve', '--help'], 'irradia serve [SCENE]'],
   [['render', '-h'], 'irradia render SCENE|MODEL|FILE'],
   [['brdf', '--help'], 'irradia brdf list'],
   [['brdf', 'eval', '--help'], 'irradia brdf eval MODEL|FILE'],
 ])('%j explains itself', async (words, usage) => {
-  const { code, stdout, stderr } = await irradia(words);
+  const { code, stdout, stderr } = await called(words);
   expect([code, stderr]).toEqual([0, '']);
   expect(stdout).toContain(usage);
 });
@@ -47,7 +57,7 @@ test.each([
   [['serve', '--port', '-1'], '--port -1: expected 0 to 65535'],
   [['serve', '--port', 'http'], '--port http: expected 0 to 65535'],
 ])('%j is refused', async (words, problem) => {
-  const { code, stdout, stderr } = await irradia(words);
+  const { code, stdout, stderr } = await called(words);
   expect([code, stdout]).toEqual([2, '']);
   expect(stderr).toMatch(/^irradia: /);
   expect(stderr).toContain(problem);
@@ -63,7 +73,7 @@ test.each([
   [['merge', 'README.md', '-o', 'a.exr'], 'README.md: byte 4: not an OpenEXR file'],
   [['brdf', 'eval', 'models'], 'models: is a folder; expected a file'],
 ])('%j fails', async (words, problem) => {
-  const { code, stdout, stderr } = await irradia(words);
+  const { code, stdout, stderr } = await called(words);
   expect([code, stdout]).toEqual([1, '']);
   expect(stderr).toContain(`irradia: `);
   expect(stderr).toContain(problem);

@@ -1,14 +1,14 @@
-import { existsSync, mkdtempSync, readFileSync, writeFileSync } from 'node:fs';
-import { tmpdir } from 'node:os';
+import { existsSync, readFileSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import sharp from 'sharp';
 import { beforeAll, describe, expect, test } from 'vitest';
 import { decodeExr } from '../../src/io/exr.ts';
-import { built, irradia } from '../support/cli.ts';
+import { built, called, irradia } from '../support/cli.ts';
+import { temporaryFolder } from '../support/folder.ts';
 
 beforeAll(() => built('cli'));
 
-const folder = mkdtempSync(join(tmpdir(), 'irradia-test-'));
+const folder = temporaryFolder();
 const write = (name: string, value: unknown): string => {
   const path = join(folder, name);
   writeFileSync(path, typeof value === 'string' ? value : JSON.stringify(value));
@@ -16,10 +16,10 @@ const write = (name: string, value: unknown): string => {
 };
 
 /** The interactive renderer in software, so that every machine draws the same. */
-async function render(subject: string, output: string, size: string): Promise<string> {
+async function render(subject: string, output: string, size: string, run = called): Promise<string> {
   const path = join(folder, output);
   const options = ['--renderer', 'realtime', '--size', size, '--device', 'software'];
-  const result = await irradia(['render', subject, '-o', path, ...options]);
+  const result = await run(['render', subject, '-o', path, ...options]);
   expect(result).toEqual({ code: 0, stdout: '', stderr: '' });
   return path;
 }
@@ -60,7 +60,7 @@ vec3 BRDF(vec3 L, vec3 V, vec3 N, vec3 X, vec3 Y) { return albedo / 3.1415926535
 
 describe('render --renderer realtime', () => {
   test('draws a scene that ships, of the size that was asked for', async () => {
-    const { width, height, pixels } = await readPng(await render('thesis', 'thesis.png', '96x54'));
+    const { width, height, pixels } = await readPng(await render('thesis', 'thesis.png', '96x54', irradia));
     expect([width, height]).toEqual([96, 54]);
     expect(new Set(pixels).size).toBeGreaterThan(60);
   });
@@ -109,7 +109,7 @@ describe('render --renderer realtime', () => {
       materials: { white: { model: 'half', textures: { albedo: { asset: 'map' } } } },
     };
     const output = join(folder, 'missing.png');
-    const { code, stderr } = await irradia([
+    const { code, stderr } = await called([
       'render',
       write('missing.json', broken),
       '-o',
@@ -129,7 +129,7 @@ describe('render --renderer realtime', () => {
       ...plane(1, 0),
       objects: { wall: { material: 'black', geometry: 7 } },
     });
-    const { code, stderr } = await irradia(['render', file, '-o', join(folder, 'wrong.png')]);
+    const { code, stderr } = await called(['render', file, '-o', join(folder, 'wrong.png')]);
     expect(code).toBe(1);
     expect(stderr).toMatch(/^irradia: .*wrong\.json.*objects\.wall\.geometry/s);
     expect(stderr).not.toContain('    at ');
@@ -138,7 +138,7 @@ describe('render --renderer realtime', () => {
   test('refuses a picture that no GPU can hold', async () => {
     const output = join(folder, 'huge.png');
     const words = ['render', 'lambert', '-o', output, '--size', '99999x1', '--renderer', 'realtime'];
-    const { code, stderr } = await irradia(words);
+    const { code, stderr } = await called(words);
     expect(code).toBe(1);
     expect(stderr).toMatch(/^irradia: --size 99999x1: at most \d+ pixels a side for png\n$/);
   });

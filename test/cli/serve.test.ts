@@ -1,12 +1,13 @@
 import { type ChildProcess, spawn } from 'node:child_process';
-import { mkdtempSync, writeFileSync } from 'node:fs';
-import { tmpdir } from 'node:os';
+import { writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { beforeAll, expect, test } from 'vitest';
 import { pageHeaders } from '../../src/page-policy.ts';
 import { createDocument, serializeDocument } from '../../src/scene/document.ts';
-import { built, irradia, irradiaPath } from '../support/cli.ts';
+import { built, called, irradiaPath } from '../support/cli.ts';
+import { temporaryFolder } from '../support/folder.ts';
 
+const folder = temporaryFolder();
 beforeAll(() => built('lab', 'cli'));
 
 /** Starts the lab, hands its address to `use`, and ends it as Ctrl+C does. */
@@ -52,7 +53,7 @@ test('serve is the default command; it serves the lab with a strict policy', asy
 });
 
 test('serve SCENE hands a document to the page', async () => {
-  const file = join(mkdtempSync(join(tmpdir(), 'irradia-test-')), 'mine.json');
+  const file = join(folder, 'mine.json');
   const document = createDocument('Mine');
   writeFileSync(file, serializeDocument(document));
   await serving(['serve', file, '--port', '0'], async (address) => {
@@ -70,15 +71,15 @@ test('serve SCENE names a scene that ships', async () => {
 test('a taken port is an error if it was asked for', async () => {
   await serving(['--port', '0'], async (address) => {
     const { port } = new URL(address);
-    const { code, stderr } = await irradia(['serve', '--port', port]);
+    const { code, stderr } = await called(['serve', '--port', port]);
     expect([code, stderr]).toEqual([1, `irradia: port ${port} is taken; choose another one with --port\n`]);
   });
 });
 
 test('a broken document is refused with the place of what is wrong', async () => {
-  const file = join(mkdtempSync(join(tmpdir(), 'irradia-test-')), 'broken.json');
+  const file = join(folder, 'broken.json');
   writeFileSync(file, JSON.stringify({ format: 'irradia', version: 1, camera: { fov: 'wide' } }));
-  const { code, stderr } = await irradia(['serve', file]);
+  const { code, stderr } = await called(['serve', file]);
   expect(code).toBe(1);
   expect(stderr).toMatch(/^irradia: .*broken\.json.*camera\.fov/s);
   expect(stderr).not.toContain('    at ');

@@ -1,11 +1,11 @@
-import { mkdirSync, mkdtempSync, writeFileSync } from 'node:fs';
+import { mkdirSync, writeFileSync } from 'node:fs';
 import { request } from 'node:http';
-import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { afterAll, describe, expect, test } from 'vitest';
 import { startStaticServer } from '../../src/cli/static-server.ts';
+import { temporaryFolder } from '../support/folder.ts';
 
-const root = mkdtempSync(join(tmpdir(), 'irradia-test-'));
+const root = temporaryFolder();
 const folder = join(root, 'served');
 mkdirSync(join(folder, 'assets'), { recursive: true });
 writeFileSync(join(root, 'secret.txt'), 'secret');

@@ -1,5 +1,5 @@
 import { beforeAll, expect, test } from 'vitest';
-import { built, irradia } from '../support/cli.ts';
+import { built, called, irradia } from '../support/cli.ts';
 
 beforeAll(() => built('cli'));
 
@@ -7,7 +7,7 @@ test('substance list names them with their colours', async () => {
   const { code, stdout } = await irradia(['substance', 'list']);
   expect(code).toBe(0);
   expect(stdout).toMatch(/^gold +1\.0\d+ +0\.7\d+ +0\.3\d+ {2}Gold, Au$/m);
-  const list = JSON.parse((await irradia(['substance', 'list', '--json'])).stdout) as { source: string }[];
+  const list = JSON.parse((await called(['substance', 'list', '--json'])).stdout) as { source: string }[];
   expect(list.length).toBeGreaterThan(40);
   expect(list.every(({ source }) => /\d{4}/.test(source))).toBe(true);
 });
@@ -23,7 +23,7 @@ test('substance show tells n and k, the reflection and the parameters', async ()
   expect(of('principled').values.specular).toBeCloseTo(0.527, 3);
   expect(of('cook-torrance').values).toEqual({ ior: expect.closeTo(1.5167, 4), metallic: 0 });
 
-  const page = await irradia(['substance', 'show', 'gold', '--light', 'A']);
+  const page = await called(['substance', 'show', 'gold', '--light', 'A']);
   expect(page.stdout).toMatch(/^gold\n\nGold, Au \(conductor\)\nP\. B\. Johnson/);
   expect(page.stdout).toMatch(/F0 under A/);
   expect(page.stdout).toMatch(/principled: metallic 1, baseColor 1 0\.7/);
@@ -35,6 +35,6 @@ test.each<[string[], number, RegExp]>([
   [['substance', 'show', 'kryptonite'], 1, /there is no substance 'kryptonite'; there are: aluminium, /],
   [['substance', 'show', 'gold', '--light', 'B'], 2, /--light B: expected D65, E, A/],
 ])('%j is refused', async (words, expected, message) => {
-  const { code, stderr } = await irradia(words);
+  const { code, stderr } = await called(words);
   expect([code, stderr]).toEqual([expected, expect.stringMatching(message)]);
 });

@@ -97,6 +97,7 @@ describe('the bench', () => {
     await page.page.mouse.move(box.x + box.width / 2 - 60, surface - 40);
     await page.page.mouse.up();
     const angle = () => page.page.inputValue('[data-bench=thetaV] .number input');
+    await plot();
     const dragged = Number(await angle());
     expect(dragged).toBeGreaterThan(50);
     expect(dragged).toBeLessThan(60);

@@ -18,14 +18,16 @@ function sphere(): string {
     object.position = [0, 0, 0];
     Object.assign(object.geometry, { radius: 1 });
     Object.assign(draft.camera, { position: [0, 0, 4], target: [0, 0, 0] });
-    draft.view.resolutionScale = 0.5;
+    draft.view.resolutionScale = 0.25;
+    draft.environment.samples = 2;
   });
   return serializeDocument(store.document);
 }
 
 beforeAll(async () => {
   const files = { '/scene.json': sphere() };
-  page = await (await lab.open({ query: '?scene=/scene.json', files })).ready();
+  // High enough for a legend with all its words.
+  page = await (await lab.open({ query: '?scene=/scene.json', files, height: 620 })).ready();
 });
 
 const middle = async (): Promise<[number, number]> => {

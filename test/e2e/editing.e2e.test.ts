@@ -268,7 +268,7 @@ describe('the units of a light', () => {
     };
     const before = await intensity();
     await page.page.selectOption('.with-unit select', 'lm');
-    const input = page.page.locator('.with-unit .number input');
+    const input = page.inspector().locator('.with-unit .number input');
     expect(Number(await input.inputValue())).toBeCloseTo(4 * Math.PI * before, 1);
     await input.click();
     await input.fill('1000');

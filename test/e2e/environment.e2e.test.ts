@@ -1,5 +1,5 @@
 import { expect, test } from 'vitest';
-import { openLab } from './lab.ts';
+import { openLab, small } from './lab.ts';
 
 const lab = await openLab();
 
@@ -122,4 +122,12 @@ test('soft boxes are arranged by pointer and by keys; a transparent background i
   expect(await page.locator('.viewport canvas').first().getAttribute('class')).toContain('transparent');
   await opened.picture();
   expect(opened.errors).toEqual([]);
+});
+
+test('a sky that comes while the first frame is drawn is in the picture when the page is ready', async () => {
+  const sky = { environment: { samples: 1, source: { type: 'sky' } }, view: { resolutionScale: 0.25 } };
+  const page = await (await lab.open(small(sky))).ready();
+  const seen = 'irradia.renderer.readPixel(0.5, 0.1).then(([r, g, b, a]) => [b > r, a])';
+  expect(await page.page.evaluate(seen)).toEqual([true, 1]);
+  await page.page.close();
 });

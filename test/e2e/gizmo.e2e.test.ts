@@ -150,6 +150,34 @@ describe('the gizmo', () => {
     await undo();
   });
 
+  it('without a button: follows what is typed along an axis, or the pointer until the right button gives it up', async () => {
+    const at = await selectByHand('Left');
+    for (const key of ['g', 'x', '3', '/', '2', 'Enter']) await page.page.keyboard.press(key);
+    expect((await object('Left')).position).toEqual([at[0] + 1.5, at[1], at[2]]);
+    expect(await undoLabel()).toBe('Move Left');
+    await undo();
+    await page.page.keyboard.press('g');
+    const { x, y } = await pixel(at);
+    await page.page.mouse.move(x + 60, y - 30);
+    expect((await object('Left')).position).not.toEqual(at);
+    await page.page.mouse.click(x + 60, y - 30, { button: 'right' });
+    expect((await object('Left')).position).toEqual(at);
+    expect(await page.page.locator('.menu').count()).toBe(0);
+  });
+
+  it('drags copies with Alt, in one step', async () => {
+    const at = await selectByHand('Left');
+    const before = await page.document();
+    await page.page.keyboard.down('Alt');
+    await drag(await along(at, 60), await along(at, 140));
+    await page.page.keyboard.up('Alt');
+    expect((await object('Left')).position).toEqual(at);
+    expect((await object('Left 2')).position[0]).toBeGreaterThan(at[0] + 0.4);
+    expect(await page.page.locator('.outliner-row.selected .name').allTextContents()).toEqual(['Left 2']);
+    await undo();
+    expect(await page.document()).toEqual(before);
+  });
+
   it('is dragged by a finger, which need not hit it as well as a mouse', async () => {
     const at = await selectByHand('Left');
     const { camera } = await page.document();
@@ -251,6 +279,28 @@ describe('selecting by hand', () => {
     await drag({ x: to.x, y: to.y }, { x: from.x, y: from.y - 60 });
     await page.page.keyboard.press('w');
     await expect.poll(selected).toEqual(['Ball', 'Left']);
+  });
+});
+
+describe('the right button', () => {
+  it('asks what can be done to what is there, and drags no menu up', async () => {
+    const { x, y } = await pixel((await object('Ball')).position);
+    await page.page.mouse.click(x, y, { button: 'right' });
+    const menu = page.page.getByRole('menu');
+    await menu.waitFor();
+    expect(await menu.getAttribute('aria-label')).toBe('Ball');
+    await page.page.keyboard.press('Escape');
+    const sky = await pixel([0, 2.9, -1]);
+    await page.page.mouse.click(sky.x, sky.y, { button: 'right' });
+    await menu.getByText('Cone').click();
+    expect(Object.values((await page.document()).objects).at(-1)?.geometry.type).toBe('cone');
+    await undo();
+    await page.page.mouse.move(x, y);
+    await page.page.mouse.down({ button: 'right' });
+    await page.page.mouse.move(x + 40, y);
+    await page.page.mouse.up({ button: 'right' });
+    expect(await menu.count()).toBe(0);
+    await undo();
   });
 });
 

@@ -2,7 +2,7 @@
 import { readdirSync, readFileSync, statSync } from 'node:fs';
 import { join } from 'node:path';
 import { fileURLToPath } from 'node:url';
-import type { BrowserContext, Page } from 'playwright-core';
+import type { BrowserContext, Locator, Page } from 'playwright-core';
 import { afterAll, expect, vi } from 'vitest';
 import { startStaticServer } from '../../src/cli/static-server.ts';
 import { pageHeaders } from '../../src/page-policy.ts';
@@ -15,6 +15,8 @@ export interface LabOptions {
   query?: string;
   /** Beside the lab's own files, by path. */
   files?: Readonly<Record<string, string>>;
+  /** Documents in the place of scenes that ship, by name: those take long to draw in software. */
+  scenes?: Readonly<Record<string, object>>;
   /** Runs before the page's own scripts. */
   init?: string;
   width?: number;
@@ -77,17 +79,21 @@ export async function openLab(): Promise<Lab> {
   });
   return {
     async open({ query = '', files = {}, init, width = SIZE.width, height = SIZE.height, ...options } = {}) {
-      const { beside, serviceWorkers = 'block', locale = 'en-US' } = options;
-      let { url, endServer } = beside ?? {};
-      if (url === undefined || endServer === undefined) {
-        const server = await startStaticServer({
-          files: new Map([...built, ...Object.entries(files)]),
-          headers: pageHeaders,
-          port: 0,
-        });
+      const { beside, scenes = {}, serviceWorkers = 'block', locale = 'en-US' } = options;
+      let { url, endServer, served } = beside ?? {};
+      if (url === undefined || endServer === undefined || served === undefined) {
+        served = new Map([...built, ...Object.entries(files)]);
+        const server = await startStaticServer({ files: served, headers: pageHeaders, port: 0 });
         servers.push(server);
         url = server.url;
         endServer = () => server.close();
+      }
+      for (const [name, document] of Object.entries(scenes)) {
+        const path = [...built.keys()].find((path) =>
+          new RegExp(`^/assets/${name}-[\\w-]{8}\\.js$`).test(path),
+        );
+        if (path === undefined) throw new Error(`no scene that ships is called ${name}`);
+        served.set(path, `export default ${JSON.stringify(document)}`);
       }
       const viewport = { width, height };
       const context =
@@ -100,16 +106,28 @@ export async function openLab(): Promise<Lab> {
           reducedMotion: 'reduce',
         }));
       if (!beside) contexts.push(context);
+      // Only catches a hang: pages next to it keep both cores busy.
+      context.setDefaultTimeout(120_000);
       const page = await context.newPage();
       const errors = watchErrors(page);
-      // Nobody is there to answer the browser's own dialog; without it, saving is a download.
-      await page.addInitScript('delete window.showSaveFilePicker');
+      // Nobody is there to answer the browser's own dialogs; without them, opening is an input and saving a download.
+      await page.addInitScript('delete window.showSaveFilePicker; delete window.showOpenFilePicker');
+      await page.addInitScript(NOTE_TOASTS);
       if (init) await page.addInitScript(init);
       await page.goto(`${url}${query}`);
-      return new LabPage(page, errors, url, endServer);
+      return new LabPage(page, errors, url, endServer, served);
     },
   };
 }
+
+/** Notes what messages say: most go after some seconds, which on a busy machine may be before a test looks. */
+const NOTE_TOASTS = `
+  window.toastsSaid = [];
+  new MutationObserver((records) => {
+    for (const { addedNodes } of records)
+      for (const node of addedNodes)
+        if (node instanceof Element && node.matches('.toast:not(.progress)')) toastsSaid.push(node.textContent);
+  }).observe(document, { subtree: true, childList: true });`;
 
 export interface Picture {
   /** Of every pixel. */
@@ -126,6 +144,8 @@ export class LabPage {
     readonly url: string,
     /** From then on there is no network. */
     readonly endServer: () => Promise<void>,
+    /** What its server has, by path. */
+    readonly served: Map<string, Uint8Array | string>,
   ) {}
 
   async ready(): Promise<this> {
@@ -157,7 +177,7 @@ export class LabPage {
   /** Waits until an expression is true. Asked from outside: the page's policy lets no text become script in it. */
   async until(expression: string): Promise<void> {
     await vi.waitFor(async () => expect(await this.page.evaluate(expression)).toBe(true), {
-      timeout: 60_000,
+      timeout: 120_000,
       interval: 30,
     });
   }
@@ -167,18 +187,21 @@ export class LabPage {
     files: readonly { name: string; content: Uint8Array | string }[],
     selector = '.viewport',
   ): Promise<void> {
-    const data = files.map(({ name, content }) => ({
-      name,
-      base64: Buffer.from(content).toString('base64'),
-    }));
-    const transfer = await this.page.evaluateHandle((list) => {
+    // The page fetches them: a measurement of 35 MB is slow to send as text.
+    const list = files.map(({ name, content }, i) => {
+      const path = `/dropped-${i}`;
+      this.served.set(path, content);
+      return { name, path };
+    });
+    const transfer = await this.page.evaluateHandle(async (list) => {
       const dataTransfer = new DataTransfer();
-      for (const { name, base64 } of list) {
-        const bytes = Uint8Array.from(atob(base64), (c) => c.charCodeAt(0));
-        dataTransfer.items.add(new File([bytes], name));
+      for (const { name, path } of list) {
+        const response = await fetch(path, { cache: 'no-store' });
+        if (!response.ok) throw new Error(`${path}: ${response.status}`);
+        dataTransfer.items.add(new File([await response.arrayBuffer()], name));
       }
       return dataTransfer;
-    }, data);
+    }, list);
     for (const type of ['dragover', 'drop']) {
       await this.page.dispatchEvent(selector, type, { dataTransfer: transfer });
     }
@@ -189,8 +212,15 @@ export class LabPage {
     await this.page.click(`.menu button >> text="${item}"`);
   }
 
-  select(kind: 'lights' | 'objects' | 'materials', id: string): Promise<void> {
-    return this.page.click(`[data-entity="${kind}/${id}"]`);
+  /** Selects it in the outliner, and waits for its fields: the inspector makes them in a task of their own. */
+  async select(kind: 'lights' | 'objects' | 'materials', id: string): Promise<void> {
+    await this.page.click(`[data-entity="${kind}/${id}"]`);
+    await this.inspector().waitFor({ state: 'attached' });
+  }
+
+  /** What the inspector shows of what is selected now; those fields that go with what was selected before cannot be used. */
+  inspector(): Locator {
+    return this.page.locator('.inspector-body:not([inert])');
   }
 
   /** The messages on the screen. */
@@ -198,11 +228,28 @@ export class LabPage {
     return this.page.locator('.toast:not(.progress)').allInnerTexts();
   }
 
+  /** Waits for a message in which this stands, though it may have gone again; each is found once. */
   waitForToast(text: string): Promise<void> {
-    return this.page
-      .locator(`.toast:not(.progress):has-text(${JSON.stringify(text)})`)
-      .first()
-      .waitFor();
+    return vi.waitFor(
+      async () => {
+        const isSaid = await this.page.evaluate(`(() => {
+          const at = toastsSaid.findIndex((said) => said.includes(${JSON.stringify(text)}));
+          return at >= 0 && toastsSaid.splice(at, 1).length === 1;
+        })()`);
+        if (!isSaid) throw new Error(`no message said “${text}”`);
+      },
+      { timeout: 120_000, interval: 30 },
+    );
+  }
+
+  /** Takes what a message offers, before it goes. */
+  takeOffer(label: string): Promise<void> {
+    return this.until(`(() => {
+      const offers = [...document.querySelectorAll('.toast .text-button')];
+      const offer = offers.find(({ textContent }) => textContent === ${JSON.stringify(label)});
+      offer?.click();
+      return offer !== undefined;
+    })()`);
   }
 
   /** Drags a slider with the mouse to a part of its track, in several steps. */

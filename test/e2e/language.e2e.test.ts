@@ -1,7 +1,7 @@
 /** The page in Spanish: no part of it says in English what the catalogue has, and the language can be changed. */
 import { expect, it } from 'vitest';
 import spanish from '../../src/editor/language/es/index.ts';
-import { type LabPage, openLab } from './lab.ts';
+import { CLAY_BALL, type LabPage, openLab, small } from './lab.ts';
 
 const lab = await openLab();
 
@@ -47,9 +47,9 @@ const PARTS: readonly Part[] = [
   ...['Archivo', 'Edición', 'Añadir', 'Ajustes'].map(
     (name): Part => ({ name, open: click(name), shows: '.menu', close: 'Escape' }),
   ),
-  { name: 'a light', open: (page) => page.select('lights', 'red') },
-  { name: 'an object', open: (page) => page.select('objects', 'sphere') },
-  { name: 'a material', open: (page) => page.select('materials', 'cone') },
+  { name: 'a light', open: (page) => page.select('lights', 'key') },
+  { name: 'an object', open: (page) => page.select('objects', 'ball') },
+  { name: 'a material', open: (page) => page.select('materials', 'clay') },
   { name: 'the bench', open: press('b'), close: 'b' },
   { name: 'the palette', open: press('Control+k'), shows: '.palette-item', close: 'Escape' },
   { name: 'the history', open: press('Control+Alt+z'), shows: '.history', close: 'Escape' },
@@ -60,8 +60,7 @@ const PARTS: readonly Part[] = [
 ];
 
 it('the page of a Spanish browser is Spanish; English is chosen in the settings, and nothing is lost', async () => {
-  // A scene of little, which a GPU made of software draws at once.
-  const page = await lab.open({ locale: 'es-ES', query: '?scene=thesis-demo02' });
+  const page = await lab.open(small(CLAY_BALL, { locale: 'es-ES' }));
   // The page's script waits for the catalogue; the browser's load event does not wait for the script then.
   await page.until(`typeof irradia === 'object'`);
   await page.ready();

@@ -3,6 +3,7 @@ import { expect, it } from 'vitest';
 import type { Document } from '../../src/scene/schema.ts';
 import { wavyGlb } from './glb.ts';
 import { openLab } from './lab.ts';
+import { outlinedOn, outlinePixels } from './outline-pixels.ts';
 
 const lab = await openLab();
 
@@ -51,24 +52,22 @@ it('a large mesh is outlined, picked, boxed in, dropped, undone, kept', async ()
   const selected = () => browser.locator('.outliner-row.selected[data-entity]').allInnerTexts();
   await page.until(`irradia.mirror.objectFor('${wavy}').geometry.index.count > 290_000`);
 
-  /** Pixels of the selection's colour in the overlay: an outline has them, the corners of a box hardly any. */
-  const outlined = () =>
-    browser.evaluate<number>(`(() => {
-      const canvas = document.querySelector('canvas.overlay');
-      const { data } = canvas.getContext('2d').getImageData(0, 0, canvas.width, canvas.height);
-      let count = 0;
-      for (let i = 0; i < data.length; i += 4)
-        if (data[i + 3] > 200 && data[i] > 200 && data[i + 1] > 120 && data[i + 2] < 120) count++;
-      return count;
-    })()`);
   const box = (await browser.locator('.viewport canvas').first().boundingBox())!;
   const [x, y] = [box.x + box.width / 2, box.y + box.height / 2];
   await browser.keyboard.press('q');
   await browser.keyboard.press('Escape');
   expect(await selected()).toEqual([]);
+  await expect.poll(() => outlinedOn(page)).toBe(0);
   await browser.mouse.click(x, y);
   await expect.poll(selected).toEqual(['Wavy']);
-  await expect.poll(outlined).toBeGreaterThan(300);
+  await expect.poll(() => outlinedOn(page)).toBeGreaterThan(300);
+  // Not in what is saved, and on the screen still.
+  const saved = await browser.evaluate<string>(`(async () => {
+    const bytes = new Uint8Array(await (await irradia.viewport.screenshot()).arrayBuffer());
+    return btoa(Array.from(bytes, (byte) => String.fromCharCode(byte)).join(''));
+  })()`);
+  expect(await outlinePixels(Buffer.from(saved, 'base64'))).toBe(0);
+  expect(await outlinedOn(page)).toBeGreaterThan(300);
 
   await browser.keyboard.down('Shift');
   await browser.mouse.move(x + 30, y + 30);

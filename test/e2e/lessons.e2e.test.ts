@@ -1,14 +1,13 @@
 /** Lessons: walked through, in English and Spanish; a person's own; what was open before comes back. */
 import { readFileSync } from 'node:fs';
 import { expect, it } from 'vitest';
-import { openLab } from './lab.ts';
+import { openLab, small } from './lab.ts';
 
 const lab = await openLab();
-/** Something to come back to, which is quickly drawn. */
-const mine = {
-  query: '?scene=./mine.json',
-  files: { '/mine.json': '{ "format": "irradia", "version": 1, "name": "Mine" }' },
-};
+/** The scenes of lessons are as they ship, and the GPU is made of software: so few pixels. */
+const size = { width: 760, height: 420 };
+/** Something to come back to. */
+const mine = small({ name: 'Mine' }, size);
 
 it('a lesson shows, explains and changes the picture, and leaves nothing behind', async () => {
   const lesson = await (await lab.open(mine)).ready();
@@ -58,7 +57,11 @@ it('a lesson shows, explains and changes the picture, and leaves nothing behind'
 });
 
 it('a lesson by its address, in Spanish, begins where it was left', async () => {
-  const options = { query: '?lesson=masking', init: "localStorage.setItem('irradia.language', 'es')" };
+  const options = {
+    ...size,
+    query: '?lesson=masking',
+    init: "localStorage.setItem('irradia.language', 'es')",
+  };
   const first = await lab.open(options);
   // The page waits for its Spanish words.
   await first.page.waitForSelector('.lesson-step h2:has-text("Unas estorban a otras")');
@@ -74,6 +77,7 @@ it('a lesson of a teacher’s own opens by its address or when it is dropped, an
   const scene = readFileSync(new URL('../../lessons/lambert/scene.json', import.meta.url), 'utf8');
   const text = '---\ntitle: My own\n---\n## <b>First</b>\nText.\n:set materials.ball.albedo [1, 0, 0]\n';
   const page = await lab.open({
+    ...size,
     query: '?lesson=./own/',
     files: { '/own/lesson.md': text, '/own/scene.json': scene },
   });

@@ -36,10 +36,10 @@ test('materials of the library: assigned, dragged, compared, varied, kept', {
   };
 
   // Search and assign by a click; what was only tried does not stay.
+  await page.select('objects', sphere);
   await browser.keyboard.press('m');
   await browser.fill('.library input[type=search]', 'gold');
   await expect.poll(() => browser.locator('.library .material-card').count()).toBe(2);
-  await page.select('objects', sphere);
   await browser.click(card('library gold-polished'));
   expect(await undoLabel()).toBe('Assign Gold, polished');
   expect((await materialOf()).name).toBe('Gold, polished');
@@ -48,6 +48,9 @@ test('materials of the library: assigned, dragged, compared, varied, kept', {
   expect((await materialOf()).name).toBe('Gold, satin');
   const names = Object.values((await page.document()).materials).map(({ name }) => name);
   expect(names).not.toContain('Gold, polished');
+  // The list is made anew for the material that the scene has now; the keys stay on the card.
+  await browser.locator('.library [data-section=scene] .material-card').waitFor();
+  expect(await browser.evaluate('document.activeElement.dataset.material')).toBe('library gold-satin');
   // Its picture comes from a worker.
   await page.until(
     `document.querySelector('${card('library gold-satin')} canvas').classList.contains('made')`,
@@ -85,8 +88,10 @@ test('materials of the library: assigned, dragged, compared, varied, kept', {
   await browser.click('.menu >> text="lambert"');
   await browser.locator('.compare-bar').waitFor();
   expect((await halves())[1]).not.toBe(before[1]);
+  await browser.focus(card('library paint-red'));
   await browser.keyboard.press('Escape');
   expect(await halves()).toEqual(before);
+  expect(await browser.locator('.compare-bar:visible').count()).toBe(0);
 
   // Randomised, and blended with another: an undo step each.
   await browser.click('.model-about >> text="Vary…"');
@@ -109,7 +114,25 @@ test('materials of the library: assigned, dragged, compared, varied, kept', {
   await browser.focus('.library [data-section=own] .material-card');
   await browser.click('.library-actions >> text="Delete"');
   await browser.locator('.library [data-section=own]').waitFor({ state: 'detached' });
-  await browser.click('.toast >> text="Undo"');
+  await page.takeOffer('Undo');
   await browser.locator('.library [data-section=own] .material-card').waitFor();
+
+  // The picture keeps its room: the library has the outliner's place, which a search takes back; in a low window it lies beside the
+  // picture, and what lies on the picture keeps apart.
+  const boxes = (selectors: string[]) =>
+    browser.evaluate<{ left: number; top: number; right: number; bottom: number }[]>(
+      `${JSON.stringify(selectors)}.map((selector) => document.querySelector(selector).getBoundingClientRect().toJSON())`,
+    );
+  const [picture] = await boxes(['.viewport']);
+  expect(picture!.right - picture!.left).toBeGreaterThan(300);
+  await browser.setViewportSize({ width: 640, height: 360 });
+  const [view, library, modes, tools] = await boxes(['.viewport', '.library', '.mode-switch', '.tool-bar']);
+  expect(view!.right).toBeLessThanOrEqual(library!.left);
+  expect(view!.right).toBeGreaterThan(300);
+  expect(view!.bottom - view!.top).toBeGreaterThan(250);
+  expect(modes!.bottom).toBeLessThan(tools!.top);
+  await browser.keyboard.press('Control+f');
+  expect(await browser.evaluate(`document.activeElement.closest('.panel-left') !== null`)).toBe(true);
+  expect(await browser.locator('.library').isVisible()).toBe(false);
   expect(page.errors).toEqual([]);
 });

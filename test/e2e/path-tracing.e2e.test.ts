@@ -8,6 +8,7 @@ import { addLight, addObject } from '../../src/scene/commands.ts';
 import { createDocument, parseDocument, serializeDocument } from '../../src/scene/document.ts';
 import { DocumentStore } from '../../src/scene/store.ts';
 import { type LabPage, openLab } from './lab.ts';
+import { outlinedOn } from './outline-pixels.ts';
 
 /** One convex thing under one light: nothing that only a path tracer shows. */
 function sphereUnderSun(): string {
@@ -74,6 +75,11 @@ it('is shown at a click, says by what, and is the interactive picture where that
   );
   expect(await page.page.getByRole('progressbar').getAttribute('aria-valuenow')).toBe('100');
   expect(await meanDifference()).toBeLessThan(1);
+  // What is selected has its outline here, too, and in no picture that is read.
+  const { x, y, width, height } = (await page.page.locator('.viewport').boundingBox())!;
+  await page.page.mouse.click(x + width / 2, y + height / 2);
+  await expect.poll(() => outlinedOn(page)).toBeGreaterThan(100);
+  expect(await meanDifference()).toBeLessThan(1);
 });
 
 it('begins anew for another material, which packs the scene, and for another camera, which does not', async () => {
@@ -107,6 +113,7 @@ it('pauses, goes on, and has keys for both and for the renderings', async () => 
   await page.page.locator('.tracing-progress').waitFor({ state: 'hidden' });
   await page.page.keyboard.press('3');
   expect(await mode('Split').getAttribute('aria-checked')).toBe('true');
+  await expect.poll(() => outlinedOn(page)).toBeGreaterThan(100);
 });
 
 describe('Split', () => {
@@ -119,9 +126,15 @@ describe('Split', () => {
     expect(await divider.getAttribute('aria-valuenow')).toBe('62');
     const [bar, view] = [await divider.boundingBox(), await page.page.locator('.viewport').boundingBox()];
     if (!bar || !view) throw new Error('no divider');
-    await page.page.mouse.move(bar.x + bar.width / 2, bar.y + bar.height / 2);
+    // An arrow of what is selected lies under the middle of it, and is in front; the divider's own handle is at its end.
+    const [x, middle, end] = [bar.x + bar.width / 2, bar.y + bar.height / 2, bar.y + bar.height - 20];
+    await page.page.mouse.move(x, middle);
+    expect(
+      await page.page.evaluate(`document.elementFromPoint(${x}, ${middle}).matches('.viewport canvas')`),
+    ).toBe(true);
+    await page.page.mouse.move(x, end);
     await page.page.mouse.down();
-    await page.page.mouse.move(view.x + view.width / 4, bar.y + bar.height / 2);
+    await page.page.mouse.move(view.x + view.width / 4, end);
     await page.page.mouse.up();
     expect(await divider.getAttribute('aria-valuenow')).toBe('25');
   });
@@ -166,6 +179,7 @@ describe('Difference', () => {
       return new Set(new Uint32Array(data.buffer)).size;
     })()`);
     expect(colors).toBeGreaterThan(10);
+    await expect.poll(() => outlinedOn(page, '.difference-lines')).toBeGreaterThan(100);
   });
 });
 

@@ -101,7 +101,7 @@ describe('the outliner', () => {
     await press('Delete');
     await page.waitForToast('One is locked and stays');
     expect((await objects()).map(({ name }) => name)).toEqual(['Box 2', 'Box 3', 'Box 4', 'Box 5', 'Box 6']);
-    expect(await page.page.locator('.inspector .row[data-label="Position"]').getAttribute('inert')).toBe('');
+    expect(await page.inspector().locator('.row[data-label="Position"]').getAttribute('inert')).toBe('');
     await press('Control+Shift+G');
     expect((await page.document()).groups).toEqual({});
     await press('Control+Shift+L');
@@ -126,7 +126,7 @@ describe('the inspector', () => {
     await click('box-3');
     await click('box-5', 'Shift');
     expect(await page.page.locator('.inspector-kind').textContent()).toBe('3 objects');
-    const position = page.page.locator('.inspector .row[data-label="Position"]');
+    const position = page.inspector().locator('.row[data-label="Position"]');
     expect(await position.getAttribute('class')).toContain('mixed');
     const before = await page.document();
     const y = position.locator('input').nth(1);
@@ -237,7 +237,13 @@ describe('the command palette', () => {
     await press('Enter');
     expect(await selected()).toEqual(['box-4']);
     await press('Control+k');
-    await input.waitFor();
+    await input.fill('export picture');
+    await press('Enter');
+    await page.page.locator('.export-picture').waitFor();
+    await press('Escape');
+    await press('Control+k');
+    await input.fill('undo');
+    expect(await page.page.locator('.palette-item').first().innerText()).toContain('Undo');
     await press('Escape');
     await input.waitFor({ state: 'detached' });
     expect(page.errors).toEqual([]);

@@ -35,13 +35,19 @@ async function crash(page: LabPage): Promise<void> {
 it('a document with assets is there again after a crash, and an edit writes only what it touched', async () => {
   const first = await (await lab.open({ ...scene, init: COUNT_WRITES })).ready();
   const megabyte = randomBytes(1 << 20).toString('base64');
-  await edit(
-    first,
-    `draft.assets.noise = { name: 'noise.bin', mediaType: 'application/octet-stream', data: '${megabyte}' };
-     draft.name = 'With noise';`,
-  );
+  const isWarned = `!dispatchEvent(new Event('beforeunload', { cancelable: true }))`;
+  // New bytes are still to be hashed and written, which takes longer than a page has to end.
+  const isWarnedAtOnce = await first.page.evaluate(`(() => {
+    irradia.store.edit('Edit', (draft) => {
+      draft.assets.noise = { name: 'noise.bin', mediaType: 'application/octet-stream', data: '${megabyte}' };
+      draft.name = 'With noise';
+    });
+    return ${isWarned};
+  })()`);
+  expect(isWarnedAtOnce).toBe(true);
   await kept(first);
   await first.until('written.versions > 0');
+  expect(await first.page.evaluate(isWarned)).toBe(false);
   const written = () => first.page.evaluate<Record<string, number>>('({ ...written })');
   const before = await written();
   expect(before.assets).toBe(1 << 20);
@@ -56,18 +62,15 @@ it('a document with assets is there again after a crash, and an edit writes only
 
   const document = await first.document();
   await crash(first);
-  const second = await (await lab.open({ beside: first })).ready();
+  const scenes = { thesis: JSON.parse(files['/small.json'] ?? '') };
+  const second = await (await lab.open({ beside: first, scenes })).ready();
   await second.waitForToast('Recovered “With noise”');
   expect(await second.document()).toEqual(document);
 
-  // The scene that opens instead would take long to draw in software.
-  await second.page.route('**/assets/thesis-*.js', (route) =>
-    route.fulfill({ contentType: 'text/javascript', body: `export default ${files['/small.json']}` }),
-  );
-  await second.page.click('.toast >> text=Discard');
+  await second.takeOffer('Discard');
   await second.waitForToast('Deleted “With noise”');
   expect((await second.document()).name).not.toBe('With noise');
-  await second.page.locator('.toast >> text=Undo').dispatchEvent('click');
+  await second.takeOffer('Undo');
   await second.until('irradia.store.document.name === "With noise"');
   expect(await second.document()).toEqual(document);
 
@@ -99,10 +102,16 @@ it('versions, copies and names of documents are in a dialog', async () => {
   const versions = page.page.locator('.version-list li');
   expect(await versions.locator('strong').allInnerTexts()).toEqual(['Bright', 'As it was opened']);
 
+  await page.page.getByRole('button', { name: 'Delete “Bright”' }).click();
+  await page.waitForToast('Deleted “Bright”');
+  expect(await versions.count()).toBe(1);
+  await page.takeOffer('Undo');
+  await page.page.waitForSelector('.version-list >> text=Bright');
+
   await versions.nth(1).locator('text=Restore').click();
   await page.waitForToast('Restored');
   expect((await page.document()).view.exposure).toBe(0);
-  await page.page.click('.toast >> text=Undo');
+  await page.takeOffer('Undo');
   expect((await page.document()).view.exposure).toBe(2);
 
   await page.page.keyboard.press('Control+Shift+O');
@@ -124,7 +133,7 @@ it('versions, copies and names of documents are in a dialog', async () => {
   await page.until('document.querySelector(".document-title").value === "Small"');
   await page.page.click('.document-actions >> text=Delete');
   await page.until('document.querySelectorAll(".document-card").length === 1');
-  await page.page.click('.toast >> text=Undo');
+  await page.takeOffer('Undo');
   await page.until('document.querySelectorAll(".document-card").length === 2');
   expect(page.errors).toEqual([]);
   await page.page.context().close();
@@ -146,7 +155,7 @@ it('a link opens in another browser as the same document, and takes nobody’s w
   await other.page.evaluate(`location.hash = ${JSON.stringify(link)}`);
   await other.waitForToast('“Their own” is kept');
   expect(await other.document()).toEqual(shared);
-  await other.page.click('.toast >> text=Back to it');
+  await other.takeOffer('Back to it');
   await other.until('irradia.store.document.name === "Their own"');
   await other.page.evaluate('location.hash = "#document=broken"');
   await other.waitForToast('The link was not opened');
@@ -184,6 +193,49 @@ it('what does not fit says so: into the browser, into a link', async () => {
   await page.page.context().close();
 });
 
+it('what was cleared while it was open is kept again, and what is damaged is as it was before', async () => {
+  const page = await (await lab.open({ ...scene, init: COUNT_WRITES })).ready();
+  await edit(page, 'draft.name = "Cleared"; draft.view.exposure = 1;');
+  await kept(page);
+  await page.until('written.versions > 0');
+  const { texts } = await page.page.evaluate<{ texts: number }>('({ ...written })');
+  const browser = await page.page.context().newCDPSession(page.page);
+  const { origin } = new URL(page.url);
+  await browser.send('Storage.clearDataForOrigin', { origin, storageTypes: 'indexeddb' });
+  await page.until(`written.texts > ${texts}`);
+  await edit(page, 'draft.view.exposure = 2;');
+  await kept(page);
+  await page.page.reload();
+  await page.ready();
+  expect((await page.document()).view.exposure).toBe(2);
+
+  await page.page.evaluate(`new Promise((resolve) => {
+    const request = indexedDB.open('irradia');
+    request.onsuccess = () => {
+      const transaction = request.result.transaction('changes', 'readwrite');
+      const cursor = transaction.objectStore('changes').openCursor();
+      cursor.onsuccess = () => cursor.result?.update('{"singles":');
+      transaction.oncomplete = () => resolve(request.result.close());
+    };
+  })`);
+  // Whoever reads it is told.
+  await page.page.keyboard.press('Control+Shift+O');
+  await page.page.click('.document-actions >> text=Duplicate');
+  await page.waitForToast('“Cleared” is not as you left it');
+  await page.page.reload();
+  await page.ready();
+  await page.waitForToast('“Cleared” is not as you left it');
+  expect((await page.document()).view.exposure).toBe(1);
+  // From now on it is whole again.
+  await edit(page, 'draft.view.exposure = 3;');
+  await kept(page);
+  await page.page.reload();
+  await page.ready();
+  expect((await page.document()).view.exposure).toBe(3);
+  expect(page.errors).toEqual([]);
+  await page.page.context().close();
+});
+
 it('where the browser keeps nothing, that is said, and work is not thrown away unasked', async () => {
   const init = `indexedDB.open = () => { throw new DOMException('not here', 'SecurityError'); };`;
   const page = await (await lab.open({ ...scene, init })).ready();
@@ -216,7 +268,6 @@ it('Save writes the same file again where the browser lets a page write files', 
   await page.page.keyboard.press('Control+s');
   await page.waitForToast('Saved Small.json');
   await edit(page, 'draft.view.exposure = 3;');
-  await page.page.click('.toast .icon-button');
   await page.page.keyboard.press('Control+s');
   await page.waitForToast('Saved Small.json');
   expect(await page.page.evaluate('window.asked')).toBe(1);
@@ -225,13 +276,21 @@ it('Save writes the same file again where the browser lets a page write files', 
 });
 
 it('works without a network after the first visit, alone with itself as before', async () => {
-  const page = await (await lab.open({ ...scene, serviceWorkers: 'allow' })).ready();
+  // In the place of a scene that ships, which is the browser's then.
+  const scenes = { 'thesis-demo02': { format: 'irradia', version: 1, name: 'Shipped' } };
+  const page = await (await lab.open({ ...scene, scenes, serviceWorkers: 'allow' })).ready();
   await page.page.evaluate('navigator.serviceWorker.ready.then(() => true)');
+  // What a tab with the build before still asks for.
+  const old = './assets/part-of-before.js';
+  await page.page.evaluate(
+    `caches.open('irradia-before').then((cache) => cache.put('${old}', new Response('before')))`,
+  );
   await page.endServer();
   await page.page.goto(`${page.url}?scene=thesis-demo02`);
   await page.ready();
-  expect((await page.document()).name).toBe('Three spots');
+  expect((await page.document()).name).toBe('Shipped');
   expect(await page.page.evaluate('crossOriginIsolated')).toBe(true);
+  expect(await page.page.evaluate(`fetch('${old}').then((response) => response.text())`)).toBe('before');
   await page.page.context().close();
 });
 
@@ -248,7 +307,7 @@ it('tells when a newer build is ready, and loads it with what is open', async ()
   await edit(page, 'draft.view.exposure = 2;');
   await page.page.evaluate(`navigator.serviceWorker.register('./next.js').then(() => true)`);
   await page.waitForToast('A new version of Irradia is ready');
-  await Promise.all([page.page.waitForEvent('load'), page.page.click('.toast >> text=Reload')]);
+  await Promise.all([page.page.waitForEvent('load'), page.takeOffer('Reload')]);
   await page.ready();
   expect((await page.document()).view.exposure).toBe(2);
   await page.page.context().close();

@@ -150,4 +150,13 @@ describe('the command palette', () => {
     expect(kinds.map(({ title }) => title)).toEqual(['Gold sphere', 'Ring']);
     expect(matchScore('xyz', 'y x z')).toBeNull();
   });
+
+  test('has what cannot be done now last, and only where it is looked for', () => {
+    const items = [{ ...item('Group'), disabled: true }, item('Select all of its group')];
+    expect(findItems(items, 'group', 10).map(({ title }) => title)).toEqual([
+      'Select all of its group',
+      'Group',
+    ]);
+    expect(findItems(items, '', 10)).toHaveLength(1);
+  });
 });

@@ -79,3 +79,21 @@ it('a document whose assets were sent as bytes arrives as it was', async () => {
   };
   expect(await receivedDocument(sent)).toEqual(document);
 });
+
+it('takes over a worker that is at work already, which ends like any other, and says what failed', async () => {
+  vi.useFakeTimers();
+  const running = new FakeWorker();
+  const spawn = vi.fn(() => new FakeWorker());
+  const options = { name: 'large.glb', running };
+  const idle = new Thread<string, number>(spawn, options);
+  vi.advanceTimersByTime(60_000);
+  expect(running.terminate).toHaveBeenCalledOnce();
+  const thread = new Thread<string, number>(spawn, options);
+  const answer = thread.ask('a');
+  running.dispatchEvent(Object.assign(new Event('error'), { message: 'out of memory' }));
+  await expect(answer).rejects.toThrow('large.glb: out of memory');
+  expect(spawn).not.toHaveBeenCalled();
+  void thread.ask('b');
+  void idle.ask('c');
+  expect(spawn).toHaveBeenCalledTimes(2);
+});

@@ -158,6 +158,39 @@ describe('materials become principled', () => {
     ]);
   });
 
+  test('and so are textures, filters and extensions that are not read', async () => {
+    const map = { index: 0 };
+    const { notes, textures } = await onlyMaterial(
+      triangle(
+        { ...images, samplers: [{ magFilter: 9728 }], textures: [{ source: 0, sampler: 0 }] },
+        {
+          extensions: {
+            KHR_materials_clearcoat: { clearcoatFactor: 1, clearcoatRoughnessTexture: map },
+            KHR_materials_specular: { specularColorTexture: map },
+            KHR_materials_volume: { thicknessFactor: 1, thicknessTexture: map },
+            KHR_materials_diffuse_transmission: {
+              diffuseTransmissionFactor: 0.5,
+              diffuseTransmissionTexture: map,
+              diffuseTransmissionColorTexture: map,
+            },
+            ADOBE_materials_thin_transparency: {},
+          },
+        },
+      ),
+    );
+    expect(textures.diffTrans).toMatchObject({ texture: 0, channel: 'a' });
+    expect(notes).toEqual([
+      'textures[0] is shown smooth from near, not in squares',
+      'Paint: light that its sheet lets through diffusely has the base colour',
+      'Paint: light goes through it in the path traced picture; the interactive one shows its reflection',
+      "Paint: the texture of the clearcoat's roughness has no counterpart",
+      "Paint: the texture of the reflection's colour has no counterpart",
+      'Paint: the texture of its thickness is not needed: the body is as thick as it is',
+      'Paint: the colour texture of the light that its sheet lets through has no counterpart',
+      'Paint: ADOBE_materials_thin_transparency is not read',
+    ]);
+  });
+
   test('that let light through are principled-bsdf: thin without a volume, otherwise bodies', async () => {
     const transmission = { KHR_materials_transmission: { transmissionFactor: 0.9 } };
     const thin = await onlyMaterial(triangle({}, { extensions: transmission }));
@@ -250,6 +283,27 @@ describe('materials become principled', () => {
     expect(Object.values(document.materials).map(({ name }) => name)).toEqual(['Blue', 'Green']);
     expect(Object.values(document.objects)).toMatchObject([{ material: Object.keys(document.materials)[0] }]);
     expect(notes.join()).toContain('variants day, night');
+  });
+
+  test('scenes, cameras, animations and extensions that stay behind are told', async () => {
+    const camera = { type: 'perspective', perspective: { yfov: 1, znear: 0.1 } };
+    const { document, notes } = await bring(
+      triangle({
+        scenes: [{ nodes: [0, 1, 2] }, { nodes: [] }],
+        nodes: [{ mesh: 0 }, { camera: 0, translation: [0, 0, 7] }, { camera: 0 }],
+        cameras: [camera],
+        animations: [{ channels: [], samplers: [] }],
+        extensionsUsed: ['KHR_materials_ior', 'EXT_strange'],
+        extensionsRequired: ['KHR_materials_ior', 'EXT_strange'],
+      }),
+    );
+    expect(document.camera.position).toEqual([0, 0, 7]);
+    expect(notes).toEqual([
+      'its animations are not played',
+      'it has 2 scenes; only the one that it names is shown',
+      "it has 2 cameras; the view is the first one's",
+      'it needs the extension EXT_strange, which is not read',
+    ]);
   });
 
   test('hidden nodes hide what is below them', async () => {

@@ -182,6 +182,20 @@ describe('files that come in parts', () => {
     );
   });
 
+  test('without an image, which is told; of two models each has its own', async () => {
+    const { gltf, binary } = parts();
+    gltf.buffers = [{ byteLength: 60, uri: 'mesh.bin' }];
+    gltf.images = [{ uri: 'textures/white.png' }];
+    const { document, notes } = await bring(text(gltf), new Map([['mesh.bin', binary]]));
+    expect(Object.values(document.materials)[0]?.textures).toEqual({});
+    expect(notes).toEqual([
+      'the image textures/white.png did not come along: drop the whole folder, or a zip of it, to have it',
+    ]);
+    gltf.images = [{ uri: 'https://example.com/white.png' }];
+    const remote = await bring(text(gltf), new Map([['mesh.bin', binary]]));
+    expect(remote.notes.join()).toContain('on another server, and not fetched');
+  });
+
   test('elsewhere are not fetched', async () => {
     const { gltf } = parts();
     gltf.buffers = [{ byteLength: 60, uri: 'https://example.com/mesh.bin' }];

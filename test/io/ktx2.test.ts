@@ -30,7 +30,7 @@ test('a KTX2 texture of a glTF file is RGBA, its rows from the bottom, its size 
   const { materials, asset, notes } = await importGltf(modelWith(image), 'a.glb', assets);
   const [material] = materials.values();
   expect(notes).toEqual([]);
-  const texels = readTexels(await assets.image(asset, material!.textures.baseColor!.texture));
+  const texels = readTexels(await assets.image(asset!, material!.textures.baseColor!.texture));
   expect([texels.width, texels.height]).toEqual([6, 5]);
   const at = (x: number, y: number) => [...texels.bytes.subarray(4 * (6 * y + x), 4 * (6 * y + x) + 4)];
   expect(at(0, 0)).toEqual(blue);

@@ -33,12 +33,11 @@ export function writeMerl(f: (L: Vector3, V: Vector3) => Rgb): Uint8Array<ArrayB
       for (let p = 0; p < 90; p++) {
         const { L, V } = directionsOf(h, d, p);
         const value = L[2] > 0 && V[2] > 0 ? f(L, V) : null;
-        for (const at of [p, 179 - p]) {
-          for (const [c, scale] of MERL_SCALES.entries()) {
-            const sample = (h * 90 + d) * 180 + at;
-            const stored = value === null ? -1 : (value[c] as number) / scale;
-            view.setFloat64(12 + (c * MERL_SAMPLES + sample) * 8, stored, true);
-          }
+        for (let c = 0; c < 3; c++) {
+          const stored = value === null ? -1 : (value[c] as number) / (MERL_SCALES[c] as number);
+          const row = 12 + (c * MERL_SAMPLES + (h * 90 + d) * 180) * 8;
+          view.setFloat64(row + 8 * p, stored, true);
+          view.setFloat64(row + 8 * (179 - p), stored, true);
         }
       }
     }

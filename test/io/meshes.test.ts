@@ -151,6 +151,32 @@ Pr .3
     near(corners(await geometryOf(document, 1)), [0, 0, 0, 1, 0, 0, 0, 0, 1]);
   });
 
+  test('with names that have a # in them, a renamed .mtl, cut-outs and a TGA', async () => {
+    const numbered =
+      'newmtl Material #1\nKd 1 0 0\nnewmtl Material #2\nmap_Kd D:\\maps\\LEAF.tga\nmap_d leaf.tga\n';
+    // 1 x 1, 32 bits, from the top.
+    const tga = Uint8Array.from([0, 0, 2, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1, 0, 1, 0, 32, 0x28, 30, 200, 10, 128]);
+    const { document, notes } = await bring('b/leaf.obj', cube.replaceAll('Red paint', 'Material #2'), {
+      'b/leaf.mtl': bytesOf(numbered),
+      'b/leaf.tga': tga,
+    });
+    expect(notes).toEqual(['there is no material Metal in its .mtl file']);
+    const [leaf] = Object.values(document.materials);
+    expect(leaf).toMatchObject({ name: 'Material #2', opacityMap: { channel: 'a' }, alphaMode: 'blend' });
+    const asset = document.assets[leaf?.textures.baseColor?.asset ?? ''];
+    const image = await assets.image(asset!, leaf?.textures.baseColor?.texture ?? null);
+    expect([...(image as { data: Uint8Array }).data]).toEqual([10, 200, 30, 128]);
+  });
+
+  test('with an image of a format that is not read says which', async () => {
+    const { notes } = await bring('a/box.obj', cube, {
+      'a/scene.mtl': bytesOf('newmtl Red paint\nmap_Kd maps/wall.psd\nnewmtl Metal\nmap_Kd broken.tga\n'),
+      'a/maps/wall.psd': bytesOf('8BPS'),
+      'a/broken.tga': bytesOf('no image, though it is named like one'),
+    });
+    expect(notes.join()).toMatch(/wall\.psd is in a format that is not read.*broken\.tga is in a format/);
+  });
+
   test('without its .mtl says so and is grey', async () => {
     const { document, notes } = await bring('box.obj', cube);
     expect(notes.join()).toContain('scene.mtl did not come along');

@@ -3,12 +3,14 @@ import fc from 'fast-check';
 import * as THREE from 'three/webgpu';
 import { describe, expect, test } from 'vitest';
 import { nodeAssets } from '../../src/cli/node-assets.ts';
+import { linkFor } from '../../src/editor/share/link-text.ts';
 import { addImported } from '../../src/io/gltf.ts';
 import { importObjectScene } from '../../src/io/import-model.ts';
 import { encodePng } from '../../src/io/png.ts';
 import { AssetLoader } from '../../src/scene/assets.ts';
 import { encodeBase64 } from '../../src/scene/base64.ts';
 import { createDocument } from '../../src/scene/document.ts';
+import { createPrimitive, type Primitive } from '../../src/scene/mirror/geometry.ts';
 import { SceneMirror } from '../../src/scene/mirror.ts';
 import type { Document } from '../../src/scene/schema.ts';
 import { DocumentStore } from '../../src/scene/store.ts';
@@ -229,9 +231,163 @@ describe('a scene of three.js', () => {
     expect(Object.keys(broken.document.objects)).toHaveLength(1);
   });
 
+  test('saved as a project by the editor, whose own metadata are empty; its scripts are not run', async () => {
+    const scene = sample().toJSON();
+    const scripts = { [scene.object.uuid]: [{ name: 'turn', source: 'globalThis.wasRun = true' }] };
+    const { document, notes } = await bring({ metadata: {}, project: { shadows: true }, scene, scripts });
+    expect(Object.keys(document.objects)).toHaveLength(2);
+    expect(notes.join('\n')).toMatch(/its scripts \(1\) are left out.*\n.*tone mapping/);
+    expect(globalThis).not.toHaveProperty('wasRun');
+  });
+
   test('anything else is not taken for one', async () => {
     expect(await importObjectScene({ format: 'irradia' }, 'a.json', assets)).toBeNull();
     expect(await importObjectScene(null, 'a.json', assets)).toBeNull();
+  });
+});
+
+describe('a primitive of three.js', () => {
+  /** As a scene file says it, of older versions too. */
+  const sceneOf = (...geometries: Json[]): Json => ({
+    metadata: { type: 'Object' },
+    geometries: geometries.map((geometry, i) => ({ uuid: `g${i}`, ...geometry })),
+    materials: [{ uuid: 'm', type: 'MeshStandardMaterial' }],
+    object: {
+      type: 'Scene',
+      children: geometries.map((_, i) => ({ type: 'Mesh', geometry: `g${i}`, material: 'm' })),
+    },
+  });
+  const { PI } = Math;
+  const classes: Record<string, { fromJSON(data: object): THREE.BufferGeometry }> = {
+    ...{ Plane: THREE.PlaneGeometry, Box: THREE.BoxGeometry, Circle: THREE.CircleGeometry },
+    ...{ Cone: THREE.ConeGeometry, Cylinder: THREE.CylinderGeometry, Torus: THREE.TorusGeometry },
+    Sphere: THREE.SphereGeometry,
+  };
+  const kinds: Record<string, Record<string, fc.Arbitrary<number | boolean>>> = {};
+  const size = fc.double({ min: 0.01, max: 20, noNaN: true });
+  const count = fc.integer({ min: 3, max: 9 });
+  const start = fc.double({ min: -PI, max: 2 * PI, noNaN: true });
+  kinds.Plane = { width: size, height: size, widthSegments: count, heightSegments: count };
+  kinds.Box = { ...kinds.Plane, depth: size, depthSegments: count };
+  kinds.Circle = { radius: size, segments: count, thetaStart: start, thetaLength: start };
+  kinds.Cone = {
+    ...{ radius: size, height: size, radialSegments: count, heightSegments: count },
+    ...{ openEnded: fc.boolean(), thetaStart: start, thetaLength: start },
+  };
+  kinds.Cylinder = { ...kinds.Cone, radiusTop: size, radiusBottom: size };
+  delete kinds.Cylinder.radius;
+  kinds.Torus = { radius: size, tube: size, radialSegments: count, tubularSegments: count, arc: start };
+  kinds.Sphere = { radius: size, widthSegments: count, heightSegments: count };
+
+  test.each(Object.keys(kinds))('%s is the document’s own, vertex by vertex', async (kind) => {
+    await fc.assert(
+      fc.asyncProperty(
+        fc.constantFrom('Geometry', 'BufferGeometry'),
+        fc.record(kinds[kind]!, { requiredKeys: [] }),
+        async (end, parameters) => {
+          const { document } = await bring(sceneOf({ type: kind + end, ...parameters }));
+          expect(document.assets).toEqual({});
+          const [{ geometry }] = Object.values(document.objects) as [Document['objects'][string]];
+          const found = createPrimitive(geometry as Primitive);
+          const made = classes[kind]!.fromJSON(parameters);
+          expect([...(found.index?.array ?? [])]).toEqual([...(made.index?.array ?? [])]);
+          for (const name of ['position', 'normal', 'uv']) {
+            const expected = made.getAttribute(name).array;
+            const values = Array.from(found.getAttribute(name).array);
+            expect(values.length).toBe(expected.length);
+            const error = Math.max(...values.map((value, i) => Math.abs(value - expected[i]!)));
+            expect(error).toBeLessThan(1e-5);
+          }
+        },
+      ),
+      { numRuns: 15 },
+    );
+  });
+
+  test.each([
+    ['SphereGeometry', { phiLength: 1 }],
+    ['SphereGeometry', { thetaStart: 0.1 }],
+    ['TorusGeometry', { thetaLength: 3 }],
+    ['BoxGeometry', { depth: 0 }],
+    ['PlaneGeometry', { width: -1 }],
+    ['CircleGeometry', { segments: 5.5 }],
+    ['CircleGeometry', { thetaLength: 7 }],
+    ['TorusKnotGeometry', {}],
+    ['IcosahedronGeometry', { detail: 1 }],
+  ])('%s with %j, which the document cannot say, is a mesh', async (type, parameters) => {
+    const { document } = await bring(sceneOf({ type, ...parameters }));
+    expect(Object.keys(document.assets)).toHaveLength(1);
+    expect(Object.values(document.objects)[0]).toMatchObject({ geometry: { type: 'gltf' } });
+  });
+
+  test('keeps angles as people write them, and the cube’s old name', async () => {
+    const { document } = await bring(
+      sceneOf({ type: 'CircleGeometry', thetaStart: PI / 3, thetaLength: PI }, { type: 'CubeGeometry' }),
+    );
+    expect(Object.values(document.objects).map(({ geometry }) => geometry)).toMatchObject([
+      { thetaStart: 60, thetaLength: 180 },
+      { type: 'box', width: 1 },
+    ]);
+  });
+
+  test('lies among meshes and instances where the file has it, named by what it is', async () => {
+    const group = new THREE.Group();
+    group.name = 'Pair';
+    group.position.x = 5;
+    const grey = new THREE.MeshStandardMaterial({ name: 'Grey' });
+    const ball = new THREE.SphereGeometry(1, 8, 6);
+    const instances = new THREE.InstancedMesh(ball, grey, 2);
+    instances.setMatrixAt(0, new THREE.Matrix4().makeTranslation(0, 1, 0));
+    instances.setMatrixAt(1, new THREE.Matrix4().makeTranslation(0, 2, 0));
+    instances.setColorAt(0, new THREE.Color('red'));
+    instances.name = 'Dots';
+    group.add(new THREE.Mesh(ball, grey), new THREE.Mesh(new THREE.TorusKnotGeometry(1, 0.2, 8, 4), grey));
+    const scene = new THREE.Scene().add(group, instances);
+    scene.updateMatrixWorld();
+    const { document, notes } = await bring(scene.toJSON());
+    const objects = Object.values(document.objects);
+    expect(objects.map(({ name, position, geometry }) => [name, geometry.type, ...position])).toEqual([
+      ['Sphere', 'sphere', 5, 0, 0],
+      ['TorusKnot', 'gltf', 5, 0, 0],
+      ['Dots', 'sphere', 0, 1, 0],
+      ['Dots 2', 'sphere', 0, 2, 0],
+    ]);
+    expect(new Set(objects.map(({ material }) => material)).size).toBe(1);
+    expect(objects[0]!.group).toBe(objects[1]!.group);
+    expect(document.groups[objects[0]!.group!]).toMatchObject({ name: 'Pair' });
+    expect(notes).toEqual(['Dots: the colours of its instances are not read']);
+  });
+
+  test('with a texture is still none: the file that comes along has the image alone', async () => {
+    const png = encodePng(new Uint8Array(16).fill(128), 2, 2);
+    const json = {
+      ...sceneOf({ type: 'BoxGeometry' }),
+      materials: [{ uuid: 'm', type: 'MeshStandardMaterial', map: 't' }],
+      textures: [{ uuid: 't', image: 'i' }],
+      images: [{ uuid: 'i', url: `data:image/png;base64,${encodeBase64(png)}` }],
+    };
+    const { document } = await bring(json);
+    const [asset] = Object.values(document.assets);
+    expect(asset!.data.length).toBeLessThan(2000);
+    expect(Object.values(document.objects)[0]).toMatchObject({ geometry: { type: 'box' } });
+    expect(Object.values(document.materials)[0]!.textures.baseColor).toMatchObject({
+      asset: Object.keys(document.assets)[0],
+      texture: 0,
+    });
+  });
+
+  test('makes a scene that fits into a link', async () => {
+    // The thesis's fig. 6.2: twenty balls, each with its own material, and lamps.
+    const scene = new THREE.Scene().add(new THREE.AmbientLight(), new THREE.PointLight());
+    for (let i = 0; i < 20; i++) {
+      const material = new THREE.MeshPhongMaterial({ name: `Ball ${i}`, shininess: i });
+      const ball = new THREE.Mesh(new THREE.SphereGeometry(0.5, 64, 32), material);
+      ball.position.set(i % 5, Math.floor(i / 5), 0);
+      scene.add(ball);
+    }
+    scene.updateMatrixWorld();
+    const { document } = await bring(scene.toJSON());
+    expect((await linkFor(document)).length).toBeLessThan(4000);
   });
 });
 

@@ -10,7 +10,7 @@ test.each([
 ])('in the browser on %s, maps and meshes look as with MeshLambertMaterial', async (name, forceWebGL) => {
   const { backend, features, whiteMaps } = await harness.run<Likeness>({ forceWebGL });
   expect(backend).toBe(name);
-  expect(Object.keys(features)).toHaveLength(6);
+  expect(Object.keys(features)).toHaveLength(7);
   for (const [feature, { fromThree, fromPlain }] of Object.entries(features)) {
     expect(fromThree, feature).toBeLessThan(0.002);
     expect(fromPlain, feature).toBeGreaterThan(0.01);

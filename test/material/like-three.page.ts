@@ -11,8 +11,16 @@ export interface Likeness {
   readonly whiteMaps: number;
 }
 
-const COMBINED = ['a normal map', 'an occlusion map', 'emission with a map', 'an alpha test', 'a light map'];
-const ALONE = ['a bump map', 'shadows', 'colours of instances', 'two sides', 'vertex colours'];
+const COMBINED = ['a normal map', 'an occlusion map', 'emission with a map', 'a light map'];
+/** An alpha test is not with the normal map: derivatives beside a pixel that was discarded are whatever the GPU makes them. */
+const ALONE = [
+  'an alpha test',
+  'a bump map',
+  'shadows',
+  'colours of instances',
+  'two sides',
+  'vertex colours',
+];
 
 /** The features that need textures all at once, and others one by one. */
 export default async function compare({ forceWebGL }: { forceWebGL: boolean }): Promise<Likeness> {

@@ -1,6 +1,6 @@
 import type { Evaluator, Frame, Vector3 } from '../../src/glsl/evaluator.ts';
 import { BrdfRectLight } from '../../src/lights/rect-light.ts';
-import { EXACT, lattice, nearby, ROUNDED, samplingFrame } from './broad-light.ts';
+import { EXACT, lattice, nearby, ROUNDED, STRIDE, samplingFrame } from './broad-light.ts';
 import { dot, type Expectation } from './lit-sphere.ts';
 
 /** A rectangle over a surface, and what the renderer says that it computes of it. */
@@ -143,7 +143,7 @@ function covered(x: number, half: number): number {
 export const rectangleCase = () => ({
   lights: [rectangle()],
   expectation: (evaluator: Evaluator): Expectation => ({
-    stride: 2,
+    stride: STRIDE,
     at: ({ point, V, frame }) => drawnBy({ evaluator, point, V, frame: samplingFrame(frame.N) }),
     // A direction may just miss the rectangle, or follow another lobe.
     near: ({ point, V, frame: { N } }) => {

@@ -234,6 +234,19 @@ export interface Comparison {
 
 export type Surface = NonNullable<ReturnType<typeof surfaceAt>>;
 
+/** Of every pixel, rows from the top: the same for all pictures of a sphere. */
+const surfacesOf = new WeakMap<SurfaceBuffers, readonly (Surface | null)[]>();
+
+function allSurfaces(buffers: SurfaceBuffers): readonly (Surface | null)[] {
+  const known = surfacesOf.get(buffers);
+  if (known) return known;
+  const all = Array.from({ length: SIZE * SIZE }, (_, i) =>
+    surfaceAt(buffers, i % SIZE, Math.floor(i / SIZE)),
+  );
+  surfacesOf.set(buffers, all);
+  return all;
+}
+
 export interface Expectation {
   /** What the pixel should be; null where it cannot be said. */
   readonly at: (surface: Surface) => readonly number[] | null;
@@ -250,9 +263,10 @@ export function comparePixels(
   { at, near, stride = 1 }: Expectation,
 ): Comparison {
   let [count, jumps, worst, where] = [0, 0, 0, ''];
+  const all = allSurfaces(surfaces);
   for (let y = 0; y < SIZE; y += stride) {
     for (let x = 0; x < SIZE; x += stride) {
-      const surface = surfaceAt(surfaces, x, y);
+      const surface = all[y * SIZE + x];
       if (!surface || dot(surface.V, surface.frame.N) < 0.25) continue;
       const expected = at(surface);
       if (!expected) continue;

@@ -1,9 +1,9 @@
 import * as THREE from 'three/webgpu';
-import { describe, expect, test } from 'vitest';
+import { describe, expect, test, vi } from 'vitest';
 import { shippedModels } from '../../models/index.ts';
 import { BrdfMaterial } from '../../src/material/brdf-material.ts';
 import { testRenderer } from '../support/gpu.ts';
-import { drawSphere, SIZE, sphereGeometry } from './lit-sphere.ts';
+import { drawSphere, modelNamed, SIZE, sphereGeometry } from './lit-sphere.ts';
 
 const { renderer } = await testRenderer(SIZE, SIZE);
 const geometry = sphereGeometry();
@@ -32,4 +32,17 @@ describe.each([...shippedModels.keys()])('%s, plain and with textures in one ren
     // What the textures brought into the shader language's global names does not stay.
     expect(worst(await draw(new BrdfMaterial(model)), plain)).toBe(0);
   });
+});
+
+test('a map may be taken off while the shader that reads it is compiled', async () => {
+  const said = vi.spyOn(console, 'error');
+  const model = modelNamed('lambert');
+  const material = new BrdfMaterial(model).setMap('albedo', white);
+  const scene = new THREE.Scene();
+  scene.add(new THREE.Mesh(new THREE.SphereGeometry(), material), new THREE.DirectionalLight());
+  const compiled = renderer.compileAsync(scene, new THREE.PerspectiveCamera());
+  material.setMap('albedo', null);
+  await compiled;
+  expect(said).not.toHaveBeenCalled();
+  said.mockRestore();
 });

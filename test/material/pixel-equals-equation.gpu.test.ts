@@ -1,6 +1,6 @@
 import { describe, expect, test } from 'vitest';
 import { testRenderer } from '../support/gpu.ts';
-import { albedoCurve, BROAD_LIGHTS, BROAD_MATERIALS, compareBroad } from './broad-light.ts';
+import { albedoCurve, BROAD_LIGHTS, BROAD_MATERIALS, compareBroad, STRIDE } from './broad-light.ts';
 import {
   compareSphere,
   drawSurface,
@@ -34,7 +34,7 @@ describe.each(Object.keys(BROAD_MATERIALS))('a sphere of %s', (material) => {
       light,
       curve,
     );
-    expect(count).toBeGreaterThan(800);
+    expect(count).toBeGreaterThan(3000 / STRIDE ** 2);
     expect(jumps / count).toBeLessThan(0.05);
     expect(worst, where).toBeLessThan(1e-3);
   });

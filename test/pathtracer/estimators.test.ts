@@ -151,7 +151,7 @@ describe('samples', () => {
     });
     const side = 64;
     const size = { width: side, height: side, maxDepth: 1 };
-    const reference = (await trace(document, { samples: 512, seed: 4, ...size })).mean();
+    const reference = (await trace(document, { samples: 256, seed: 4, ...size })).mean();
     for (const samples of [1, 4]) {
       const picture = (await trace(document, { samples, ...size })).mean();
       const error = picture.map((x, i) => x - reference[i]!).filter((_, i) => i % 3 === 0);

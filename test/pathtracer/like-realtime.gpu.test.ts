@@ -1,11 +1,18 @@
 import { expect, it } from 'vitest';
 import { nodeAssets } from '../../src/cli/node-assets.ts';
+import { addImported, importGltf } from '../../src/io/gltf.ts';
+import { exportGltf } from '../../src/io/gltf-export.ts';
 import { encodePng } from '../../src/io/png.ts';
 import { RealtimeRenderer } from '../../src/realtime/renderer.ts';
 import { AssetLoader } from '../../src/scene/assets.ts';
 import { encodeBase64 } from '../../src/scene/base64.ts';
+import { createDocument } from '../../src/scene/document.ts';
 import { SceneMirror } from '../../src/scene/mirror.ts';
+import { drawPattern } from '../../src/scene/pattern/draw.ts';
+import { defaultPattern, patternAsset } from '../../src/scene/pattern/pattern.ts';
 import type { Document } from '../../src/scene/schema.ts';
+import { DocumentStore } from '../../src/scene/store.ts';
+import { readTexels } from '../../src/scene/texels.ts';
 import { testRenderer } from '../support/gpu.ts';
 import { material, scene, wall } from './scenes.ts';
 import { trace } from './tracer.ts';
@@ -131,3 +138,48 @@ it('textures of every kind lie the same way on a surface', async () => {
   expect(far).toBeLessThan(0.02);
   expect(error).toBeLessThan(0.01);
 });
+
+it('a pattern is the same image in both renderers, and in a GLB', async () => {
+  const pattern = { ...defaultPattern('marble'), size: 64, seed: 3, color: [0.6, 0.5, 0.4] as const };
+  const surface = { asset: 'stone', repeat: [1.5, 1.5], rotation: 20 };
+  const document = scene({
+    camera: { fov: 30, position: [0.5, 0.3, 4], target: [0, 0, 0] },
+    background: { type: 'color', color: [0.1, 0.2, 0.3] },
+    objects: { wall: wall({ rotation: [-20, 25, 10] }) },
+    assets: { stone: patternAsset({ ...pattern, relief: 8 }) },
+    materials: {
+      m: material(
+        'principled',
+        { roughness: 0.7, baseColor: [1, 1, 1] },
+        {
+          textures: {
+            baseColor: { ...surface, colorSpace: 'srgb' },
+            roughness: { ...surface, texture: 2, channel: 'g' },
+          },
+          normalMap: { ...surface, texture: 1, scale: 1 },
+        },
+      ),
+    },
+    lights: { sun: { type: 'directional', illuminance: 2, position: [1, 2, 6] } },
+  });
+  const { far, error } = await compare(document);
+  expect(far).toBeLessThan(0.02);
+  expect(error).toBeLessThan(0.01);
+
+  const assets = new AssetLoader(nodeAssets);
+  const { bytes, notes } = await exportGltf(document, assets);
+  expect(notes.filter((note) => /texture|pattern/.test(note))).toEqual([]);
+  const { material: read, document: file } = await readAgain(bytes);
+  const { asset, texture } = read.textures.baseColor!;
+  const image = await assets.image(file.assets[asset]!, texture);
+  expect(readTexels(image).bytes).toEqual(drawPattern({ ...pattern, relief: 8 }, 0).data);
+});
+
+async function readAgain(bytes: Uint8Array<ArrayBuffer>) {
+  const imported = await importGltf(bytes, 'scene.glb', new AssetLoader(nodeAssets));
+  const store = new DocumentStore(createDocument());
+  store.edit(imported.label, (draft) => {
+    addImported(draft, imported);
+  });
+  return { document: store.document, material: Object.values(store.document.materials)[0]! };
+}

@@ -45,14 +45,24 @@ export function packDocument(document: Document): Promise<PackedScene> {
   return new ScenePacker(new AssetLoader(nodeAssets)).pack(document);
 }
 
+/** Those that are not rendering: a kernel takes longer to compile than a small picture to render. */
+const idle: { readonly tracer: CpuPathTracer; readonly models: PackedScene['models'] }[] = [];
+
 /** A whole rendering of a document. */
 export async function trace(
   document: Document,
   { samples, first = 0, ...settings }: TestRender,
 ): Promise<Film> {
-  const tracer = testTracer();
-  await tracer.load(await packDocument(document));
-  return render(tracer, document, { samples, first, ...settings });
+  const scene = await packDocument(document);
+  const { models } = scene;
+  const isFor = (others: typeof models) =>
+    others.length === models.length && others.every((model, i) => model === models[i]);
+  const at = idle.findIndex((kept) => isFor(kept.models));
+  const tracer = at < 0 ? testTracer() : (idle.splice(at, 1)[0] as (typeof idle)[number]).tracer;
+  await tracer.load(scene);
+  const film = await render(tracer, document, { samples, first, ...settings });
+  idle.push({ tracer, models });
+  return film;
 }
 
 /** A rendering by a tracer that has the document's scene loaded. */

@@ -81,3 +81,22 @@ test('motion is where a point is now less where it was, in normalised device coo
   expect(after[4 * (32 * SIZE + column)]!).toBeCloseTo(ndc(0.25) - ndc(0), 2);
   pass.dispose();
 });
+
+test('what comes back elsewhere has no motion', async () => {
+  const pass = new SurfacesPass();
+  const mirror = await draw(pass, ball(0));
+  const { three } = maker.renderer;
+  const { objects, ...rest } = ball(0.25);
+  for (const [i, document] of [
+    { ...rest, objects: {} },
+    { ...rest, objects },
+  ].entries()) {
+    mirror.apply(document);
+    await mirror.settled();
+    pass.render(three, mirror.scene, mirror.camera, SIZE, SIZE, i + 1);
+  }
+  expect((await read(pass, 0)).some((value) => value > 0)).toBe(true);
+  const motion = await read(pass, 1);
+  for (let i = 0; i < motion.length; i += 4) expect(Math.hypot(motion[i]!, motion[i + 1]!)).toBe(0);
+  pass.dispose();
+});

@@ -71,7 +71,7 @@ describe('objects', () => {
 });
 
 describe('materials', () => {
-  test('of another model keep the parameters that both models have', () => {
+  test('of another model keep what it can show of their look', () => {
     const id = addMaterial(store, 'principled');
     setParameter(store, id, 'roughness', 0.9);
     setParameter(store, id, 'baseColor', [1, 0, 0]);
@@ -81,7 +81,8 @@ describe('materials', () => {
     setMaterialModel(store, id, 'cook-torrance');
     expect(store.document.materials[id]).toMatchObject({
       model: 'cook-torrance',
-      parameters: { roughness: 0.9 },
+      // A slope of .9^2, and the same colour by its other name.
+      parameters: { roughness: 0.81, albedo: [1, 0, 0] },
     });
     expect(store.document.materials[id]?.parameters).not.toHaveProperty('baseColor');
     expect(store.document.view.term).toBeNull();

@@ -126,6 +126,42 @@ describe('parseDocument', () => {
       objects: { a: { material: 'm', geometry: sphere } },
     });
     expect(error.message).toMatch(/a\.json: objects\.a\.geometry.*triangles/);
+
+    // Each is allowed; equal ones are made once.
+    const fine = (radii: readonly number[]) => ({
+      ...header,
+      materials: { m: material },
+      objects: Object.fromEntries(
+        radii.map((radius, i) => [
+          `s${i}`,
+          { material: 'm', geometry: { type: 'sphere', radius, widthSegments: 2048, heightSegments: 2048 } },
+        ]),
+      ),
+    });
+    expect(errorOf(fine([1, 2, 3, 4, 5])).message).toMatch(/a\.json: objects: .*together.*triangles/);
+    expect(parseDocument(fine([1, 2, 3, 4, 4, 4]), 'a.json')).toBeDefined();
+  });
+
+  test('refuses more values than a document could have before looking at any', () => {
+    const row = new Array(2000).fill(0);
+    expect(errorOf({ ...header, objects: new Array(2001).fill(row) }).message).toContain('values');
+  });
+
+  test('refuses groups nested so deep that panels would overflow', () => {
+    const nested = (depth: number) => ({
+      ...header,
+      // From the outermost, and the other way round.
+      groups: Object.fromEntries(
+        Array.from({ length: depth }, (_, i) => [`g${i}`, { parent: i > 0 ? `g${i - 1}` : null }]).sort(
+          depth % 2 ? undefined : () => -1,
+        ),
+      ),
+    });
+    for (const depth of [257, 258])
+      expect(errorOf(nested(depth)).issues.map(({ message }) => message)).toEqual([
+        'more than 256 groups within each other',
+      ]);
+    for (const depth of [255, 256]) expect(parseDocument(nested(depth), 'a.json')).toBeDefined();
   });
 
   test('refuses nesting without end, at once', () => {

@@ -1,8 +1,9 @@
 import { describe, expect, test } from 'vitest';
-import { addObject } from '../../src/scene/commands.ts';
+import { addObject, putAsset } from '../../src/scene/commands.ts';
 import { createDocument } from '../../src/scene/document.ts';
 import { giveMaterial, putMaterialOnce, setLook, setValues } from '../../src/scene/library-commands.ts';
 import { addMaterial, putMaterial } from '../../src/scene/material-commands.ts';
+import { textureRef } from '../../src/scene/material-schema.ts';
 import { DocumentStore } from '../../src/scene/store.ts';
 
 function withSphere() {
@@ -58,8 +59,12 @@ describe('another look', () => {
     const id = addMaterial(store, 'lambert');
     const { name } = store.document.materials[id]!;
     const look = { model: 'cook-torrance', parameters: { kd: 0.3 }, multipleScattering: true };
+    store.edit('Texture', (draft) => {
+      draft.materials[id]!.textures.albedo = textureRef(putAsset(draft, 'dots.png', 'image/png', 'AAAA'));
+    });
     setLook(store, [id], 'Look', look);
-    expect(store.document.materials[id]).toMatchObject({ ...look, name, textures: {} });
+    expect(store.document.materials[id]).toMatchObject({ ...look, name });
+    expect(store.document.materials[id]?.textures).toEqual({});
   });
 
   test('takes the term that is looked at away where the model has none of that name', () => {

@@ -2,7 +2,6 @@ import { beforeEach, describe, expect, test } from 'vitest';
 import { nodeAssets } from '../../src/cli/node-assets.ts';
 import { createEvaluator } from '../../src/glsl/evaluator.ts';
 import { AssetLoader } from '../../src/scene/assets.ts';
-import { encodeBase64 } from '../../src/scene/base64.ts';
 import { removeUnused, setField } from '../../src/scene/commands.ts';
 import { createDocument, parseDocument, serializeDocument } from '../../src/scene/document.ts';
 import { DocumentError } from '../../src/scene/error.ts';
@@ -100,7 +99,11 @@ describe('a document with measurements', () => {
   const header = { format: 'irradia', version: 1 };
   const models = { paint: { measured: 'file' } };
   const file = (content: Uint8Array) => ({
-    file: { name: 'paint.binary', mediaType: 'application/octet-stream', data: encodeBase64(content) },
+    file: {
+      name: 'paint.binary',
+      mediaType: 'application/octet-stream',
+      data: Buffer.from(content).toString('base64'),
+    },
   });
 
   test('may hold the file as it came', () => {

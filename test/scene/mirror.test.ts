@@ -143,6 +143,20 @@ describe('lights', () => {
     expect(group.children).toEqual([]);
   });
 
+  test('that undo brings back are those that went, with what they are now: their sum is the same to the last bit', () => {
+    const [first, second] = [addLight(store, 'point'), addLight(store, 'spot')];
+    const before = [first, second].map((id) => mirror.lightFor(id));
+    removeEntities(store, [{ kind: 'lights', id: first }]);
+    setField(store, ['lights', second, 'intensity'], 7);
+    setLightType(store, second, 'point');
+    expect(mirror.lightFor(second)).not.toBe(before[1]);
+    store.goTo(2);
+    expect([first, second].map((id) => mirror.lightFor(id))).toEqual(before);
+    expect(mirror.lightFor(first)).toBe(before[0]);
+    expect(mirror.lightFor(second)?.intensity).not.toBe(7);
+    expect(mirror.lightFor(first)?.parent).toBe(mirror.lightFor(second)?.parent);
+  });
+
   test('have their colour times that of their temperature', () => {
     const id = addLight(store, 'point', { color: [1, 0.5, 0.5] });
     setField(store, ['lights', id, 'temperature'], 2000);
@@ -247,6 +261,35 @@ test('what is loaded too late is not shown', async () => {
   expect(mirror.scene.environment).toBeNull();
 });
 
+test('an object that undo brings back has the mesh that it had, with its geometry and material', () => {
+  const { id, mesh } = addBox();
+  const { geometry, material } = mesh;
+  removeEntities(store, [{ kind: 'objects', id }]);
+  expect([mesh.parent, mesh.geometry === geometry, mesh.material === material]).toEqual([null, false, false]);
+  store.undo();
+  expect(mirror.objectFor(id)).toBe(mesh);
+  expect(mesh.material).toBe(material);
+  expect(mesh.geometry.getAttribute('position').count).toBe(geometry.getAttribute('position').count);
+});
+
+test('nothing of another document is kept, nor used for what has the same id in one that is opened later', () => {
+  const { id } = addBox();
+  const light = addLight(store, 'point');
+  const full = store.document;
+  const kept = () => [mirror.objectFor(id), mirror.lightFor(light)];
+  const first = kept();
+  removeEntities(store, [
+    { kind: 'objects', id },
+    { kind: 'lights', id: light },
+  ]);
+  mirror.open(full);
+  const second = kept();
+  expect(second.map((three, i) => three !== undefined && three !== first[i])).toEqual([true, true]);
+  mirror.open(createDocument());
+  mirror.apply(full);
+  expect(kept().map((three, i) => three !== undefined && three !== second[i])).toEqual([true, true]);
+});
+
 test('undo and redo of everything leave nothing behind', async () => {
   addBox();
   addLight(store, 'spot');
@@ -286,10 +329,10 @@ test('of skies that a hand drags through, the first and the last are computed, a
       draft.environment.source = { ...structuredClone(skyDefaults), turbidity };
     });
   sky(2);
-  await vi.waitFor(() => expect(asked).toHaveLength(1));
+  await expect.poll(() => asked).toHaveLength(1);
   for (const turbidity of [3, 4, 5]) sky(turbidity);
   asked[0]?.answer();
-  await vi.waitFor(() => expect(asked).toHaveLength(2));
+  await expect.poll(() => asked).toHaveLength(2);
   // It is nearer to what is asked for than what was there.
   expect(shown()).toBe(2);
   asked[1]?.answer();
@@ -298,7 +341,7 @@ test('of skies that a hand drags through, the first and the last are computed, a
   expect(asked.map(({ turbidity }) => turbidity)).toEqual([2, 5]);
 
   sky(6);
-  await vi.waitFor(() => expect(asked).toHaveLength(3));
+  await expect.poll(() => asked).toHaveLength(3);
   setField(store, ['environment', 'source'], { type: 'none' });
   asked[2]?.answer();
   await mirror.settled();

@@ -77,6 +77,11 @@ describe('things are put', () => {
     expect(groupsIn('g')).toBe('');
   });
 
+  test('behind the last of their group in the text, too, and not behind those of other groups', () => {
+    moveToGroup(store, objects('a'), [], 'g');
+    expect(Object.keys(store.document.objects).join('')).toBe('bpcqarsd');
+  });
+
   test('as near to a thing of another kind as their kind allows', () => {
     once(() => moveToGroup(store, objects('d'), ['h'], null, { kind: 'lights', id: 'key', side: 'before' }));
     expect(inGroup(null)).toBe('dabc');

@@ -4,6 +4,7 @@ import { createDocument } from '../../src/scene/document.ts';
 import { describeEntities, type EntityRef, type MemberRef } from '../../src/scene/entity.ts';
 import { groupEntities, moveToGroup, ungroup } from '../../src/scene/group-commands.ts';
 import { membersOf, unitsOf, wholeGroups } from '../../src/scene/groups.ts';
+import { assignMaterial, giveOwnMaterials } from '../../src/scene/material-commands.ts';
 import {
   duplicateEntities,
   removeEntities,
@@ -11,6 +12,7 @@ import {
   setVisible,
 } from '../../src/scene/selection-commands.ts';
 import { DocumentStore } from '../../src/scene/store.ts';
+import { place } from '../../src/scene/transform-commands.ts';
 
 let store: DocumentStore;
 let box: MemberRef;
@@ -63,6 +65,60 @@ describe('many things at once', () => {
       locked: false,
       material: materialOf(box),
     });
+  });
+
+  test('are duplicated by a drag that moves the copies: one step, which can be given up', () => {
+    const before = store.document;
+    const drag = () => {
+      const copies = duplicateEntities(store, [box, lamp], 'drag');
+      for (const x of [1, 2, 3]) {
+        const moved = copies.map((ref) => ({
+          ...(ref as MemberRef),
+          placement: { position: [x, 0, 0] as [number, number, number] },
+        }));
+        place(store, 'Move', moved, 'drag');
+      }
+      return copies;
+    };
+    const [copy] = once(drag);
+    expect(store.document.objects[copy!.id]?.position).toEqual([3, 0, 0]);
+    expect(store.undoLabel).toBe('Duplicate 1 light and 1 object');
+    store.undo();
+    drag();
+    store.abandon('other');
+    expect(store.document).not.toBe(before);
+    store.abandon('drag');
+    expect(store.document).toBe(before);
+    expect(store.canRedo).toBe(true);
+  });
+
+  test('get copies of their materials that no other object has, one of each', () => {
+    assignMaterial(store, [box.id, cone.id], materialOf(box));
+    const third = addObject(store, 'sphere', materialOf(box));
+    const shared = materialOf(box);
+    const [own, ...more] = once(() => giveOwnMaterials(store, [box.id, cone.id]));
+    expect(more).toEqual([]);
+    expect([box, cone].map(materialOf)).toEqual([own, own]);
+    expect(store.document.objects[third]?.material).toBe(shared);
+    const { name, ...copy } = store.document.materials[own!]!;
+    expect(name).not.toBe(store.document.materials[shared]?.name);
+    expect(store.document.materials[shared]).toMatchObject(copy);
+    expect(store.undoLabel).toBe(`Own copy of ${store.document.materials[shared]?.name}`);
+  });
+
+  test('take back a drag by the last word of its key alone', () => {
+    const before = store.document;
+    store.edit(
+      'Slide',
+      (draft) => {
+        draft.name = 'Other';
+      },
+      { merge: 'name gesture-12' },
+    );
+    store.abandon('gesture-2');
+    expect(store.document).not.toBe(before);
+    store.abandon('gesture-12');
+    expect(store.document).toBe(before);
   });
 
   test('are hidden and locked; those that are already cost no step', () => {
@@ -127,6 +183,48 @@ describe('groups', () => {
     ungroup(store, [lamp]);
     expect(steps()).toBe(count);
     expect(store.document.groups).not.toHaveProperty(outer);
+  });
+
+  test('in others: what is dissolved or left goes to the group around', () => {
+    const inner = groupEntities(store, [box]);
+    const middle = groupEntities(store, [box, lamp]);
+    const outer = groupEntities(store, [box, lamp, cone]);
+    const other = { kind: 'objects', id: addObject(store, 'sphere') } as const;
+    moveToGroup(store, [other], [], outer);
+    once(() => ungroup(store, [box, lamp]));
+    expect(store.document.groups).toEqual({
+      [inner]: { name: 'Group', parent: outer },
+      [outer]: { name: 'Group 3', parent: null },
+    });
+    expect([groupOf(box), groupOf(lamp)]).toEqual([inner, outer]);
+    store.undo();
+    // Of the middle one, lamp is one of two: it leaves for the outer one.
+    once(() => ungroup(store, [lamp]));
+    expect(groupOf(lamp)).toBe(outer);
+    expect(store.document.groups[middle]).toMatchObject({ parent: outer });
+  });
+
+  test('that have nothing in them go when they are asked to, and only then', () => {
+    store.edit('As files can have them', (draft) => {
+      draft.groups.empty = { name: 'Empty', parent: null };
+      draft.groups.within = { name: 'Within', parent: 'empty' };
+      draft.groups.other = { name: 'Other', parent: null };
+    });
+    once(() => removeEntities(store, [cone]));
+    expect(Object.keys(store.document.groups)).toEqual(['empty', 'within', 'other']);
+    once(() => removeEntities(store, [], ['empty']));
+    expect(Object.keys(store.document.groups)).toEqual(['other']);
+  });
+
+  test('that never had members stay in the group around one that goes', () => {
+    const outer = groupEntities(store, [box, cone]);
+    const inner = groupEntities(store, [box]);
+    store.edit('As files can have them', (draft) => {
+      draft.groups.empty = { name: 'Empty', parent: inner };
+    });
+    once(() => removeEntities(store, [box]));
+    expect(store.document.groups).toMatchObject({ empty: { parent: outer } });
+    expect(store.document.groups).not.toHaveProperty(inner);
   });
 
   test('go when their last member goes, and bring their members along when they are deleted', () => {

@@ -38,14 +38,28 @@ async function runPage<Result>(browser: Browser, url: string, argument: unknown)
   try {
     const errors = watchErrors(page);
     await page.goto(url);
-    // A string, because Vitest rewrites the import() of a function.
-    const call = `import('./main.js').then((m) => m.default(${JSON.stringify(argument) ?? ''}))`;
-    const result = await page.evaluate<Result>(call);
+    // A string, because Vitest rewrites the import() of a function. The result comes as one, too: Playwright looks at each
+    // number of a picture several times on its way.
+    const call = `import('./main.js')
+      .then((m) => m.default(${JSON.stringify(argument) ?? ''}))
+      .then((result) => JSON.stringify(result, (_, value) =>
+        typeof value === 'number' && !Number.isFinite(value) ? { ${NOT_FINITE}: String(value) } : value))`;
+    const text = await page.evaluate<string | undefined>(call);
     if (errors.length) throw new Error(`the page reported:\n${errors.join('\n')}`);
-    return result;
+    return (text === undefined ? undefined : parse(text)) as Result;
   } finally {
     await page.close();
   }
+}
+
+/** JSON has no such numbers; a test is to see them. */
+const NOT_FINITE = 'numberThatIsNotFinite';
+
+function parse(text: string): unknown {
+  if (!text.includes(NOT_FINITE)) return JSON.parse(text);
+  return JSON.parse(text, (_, value) =>
+    value?.[NOT_FINITE] === undefined ? value : Number(value[NOT_FINITE]),
+  );
 }
 
 /** Collects what the page says went wrong, from now on. */

@@ -2,13 +2,29 @@
 import type { Parameter, ParameterValue, ParameterValues } from '../../brdf/model.ts';
 import type { Model } from '../../glsl/model.ts';
 
-/** @param shipped whether the package has a class of its own for the model */
-export function codeSample(model: Model, values: ParameterValues, shipped: boolean): string {
+/**
+ * @param shipped whether the package has a class of its own for the model
+ * @param measured the file that has the measurements, if the model is of some
+ */
+export function codeSample(
+  model: Model,
+  values: ParameterValues,
+  shipped: boolean,
+  measured?: string,
+): string {
   const properties = changed(model.parameters, values).map(([name, text]) => `  ${name}: ${text},\n`);
   const literal = properties.length ? `{\n${properties.join('')}}` : '';
   if (shipped) {
     const name = `${className(model.name)}Material`;
     return `import { ${name} } from 'irradia';\n\nconst material = new ${name}(${literal});\n`;
+  }
+  if (measured !== undefined) {
+    const file = JSON.stringify(measured);
+    return [
+      "import { BrdfMaterial, loadMeasured } from 'irradia';\n",
+      `const bytes = new Uint8Array(await (await fetch(${file})).arrayBuffer());`,
+      `const material = new BrdfMaterial(loadMeasured(bytes, ${file})${literal ? `, ${literal}` : ''});\n`,
+    ].join('\n');
   }
   const file = JSON.stringify(model.file.fileName.replace(/^.*[/\\]/, ''));
   return [

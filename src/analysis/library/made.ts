@@ -82,8 +82,8 @@ export const FABRICS: readonly LibraryEntry[] = [
   principled('fabrics', 'canvas', 'Canvas', [0.34, 0.31, 0.25], { roughness: 0.95, sheen: 0.1, ...fibre }, FIBRE),
   principled('fabrics', 'wool', 'Wool, grey', [0.1, 0.1, 0.105], { roughness: 1, specular: 0.1, sheen: 1, sheenTint: 0.3 }, BY_EYE),
   principled('fabrics', 'felt', 'Felt, green', [0.012, 0.09, 0.038], { roughness: 1, specular: 0.1, sheen: 1, sheenTint: 0.6 }, BY_EYE),
-  principled('fabrics', 'velvet', 'Velvet, crimson', [0.06, 0.0015, 0.007], { roughness: 1, specular: 0, sheen: 1, sheenTint: 0.5 }, BY_EYE),
-  principled('fabrics', 'velvet-blue', 'Velvet, midnight blue', [0.003, 0.006, 0.036], { roughness: 1, specular: 0, sheen: 1, sheenTint: 0.5 }, BY_EYE),
+  principled('fabrics', 'velvet', 'Velvet, crimson', [0.03, 0.0008, 0.0035], { roughness: 1, specular: 0, sheen: 1, sheenTint: 0.5 }, BY_EYE),
+  principled('fabrics', 'velvet-blue', 'Velvet, midnight blue', [0.0015, 0.003, 0.018], { roughness: 1, specular: 0, sheen: 1, sheenTint: 0.5 }, BY_EYE),
   principled('fabrics', 'satin', 'Satin, ivory', [0.6, 0.5, 0.36], { metallic: 0.3, roughness: 0.38, anisotropic: 0.9, specular: 1, specularTint: 0.5 }, BY_EYE),
   principled('fabrics', 'leather', 'Leather, brown', [0.1, 0.042, 0.02], { roughness: 0.38, specular: 0.5, clearcoat: 0.3, clearcoatGloss: 0.6 }, BY_EYE),
 ];

@@ -58,7 +58,7 @@ export const FOOD: readonly LibraryEntry[] = [
   principled('food', 'egg', 'Egg, brown', [0.493, 0.248, 0.123], { subsurface: 0.2, roughness: 0.6, specular: 0.3 }, `${nix('Egg Shell (Brown)')} ${WET}`),
 ];
 
-const VARNISH = 'By eye: the mean colour of the wood, without its grain.';
+const VARNISH = 'By eye: the mean colour of the wood; its grain is a pattern.';
 
 // biome-ignore format: a table
 export const WOOD: readonly LibraryEntry[] = [

@@ -13,16 +13,17 @@ interface SoftBox {
   readonly radiance: Rgb;
 }
 
-/** A large warm one at the upper left, a tall cool strip at the right, and one behind that draws the rim. */
+/** A large warm one at the upper left, a tall cool strip at the right, and two behind that draw the rim and the fuzz of cloth. */
 const BOXES: readonly SoftBox[] = [
   { towards: [-0.58, 0.62, 0.53], width: 0.44, height: 0.44, radiance: [7, 6.7, 6.25] },
   { towards: [0.93, 0.14, 0.34], width: 0.13, height: 0.8, radiance: [2.5, 2.8, 3.2] },
-  { towards: [0.42, 0.5, -0.76], width: 0.55, height: 0.4, radiance: [3.6, 3.7, 3.9] },
+  { towards: [0.42, 0.5, -0.76], width: 0.55, height: 0.4, radiance: [4.6, 4.7, 4.9] },
+  { towards: [-0.88, 0.05, -0.48], width: 0.2, height: 0.7, radiance: [3.4, 3.3, 3.2] },
 ];
-const ZENITH: Rgb = [0.52, 0.55, 0.6];
+const ZENITH: Rgb = [0.72, 0.74, 0.77];
 /** Where walls meet the table. */
-const WALL: Rgb = [0.31, 0.315, 0.325];
-const TABLE: Rgb = [0.27, 0.257, 0.246];
+const WALL: Rgb = [0.35, 0.35, 0.355];
+const TABLE: Rgb = [0.27, 0.258, 0.247];
 /** Of the table right below, which the sphere keeps the light from. */
 const SHADED = 0.16;
 /** How soft edges are where nothing is blurred, in radians. */
@@ -62,7 +63,7 @@ export function studioRadiance([x, y, z]: Vec3, blur: number): [number, number, 
 }
 
 /** Texels along a side of a map. */
-const SIDE = 192;
+const SIDE = 256;
 /** How much each map is blurred, in radians. */
 export const BLURS = [0, 0.05, 0.1, 0.18, 0.32] as const;
 

@@ -7,6 +7,8 @@ import { createQuickEvaluator } from '../quick-evaluator.ts';
 import { createRandom } from '../random.ts';
 import { direction, type Vec3 } from '../vector.ts';
 import { type Lobe, lobeOf } from './lobe.ts';
+import type { PatternUse } from './pattern-sampler.ts';
+import { type Bend, patternedRadiance } from './patterned.ts';
 import { sparsely } from './sparse.ts';
 import { studioMaps, studioTexel } from './studio.ts';
 import { createThrough } from './through.ts';
@@ -17,10 +19,12 @@ export interface ThumbnailSubject {
   readonly multipleScattering: boolean;
   /** What the surface sends out by itself, in units of the studio's white; none if not given. */
   readonly emission?: Rgb;
+  /** What of it has a pattern. */
+  readonly patterns?: readonly PatternUse[];
 }
 
 /** Changes whenever pictures do, so that kept ones are made anew. */
-export const THUMBNAIL_VERSION = 2;
+export const THUMBNAIL_VERSION = 3;
 
 /** The sphere's part of the square. */
 const FILL = 0.94;
@@ -35,22 +39,18 @@ const EXPOSURE = -0.25;
 
 /** RGBA, sRGB, rows from the top; clear beside the sphere. Pixels are not multiplied by their alpha. */
 export function thumbnail(subject: ThumbnailSubject, size: number): Uint8ClampedArray<ArrayBuffer> {
-  const { model, emission = [0, 0, 0] } = subject;
-  const whole = subject.multipleScattering ? multipleScatteringModel(model) : model;
-  const f = createQuickEvaluator(whole, subject.parameters).term(whole.main);
-  const lobeAt = hasGrain(f) ? grainedLobes(f) : roundLobes(subject, f);
   const radius = (FILL * size) / 2;
-  const radiance = sparsely(size, (column, row) => {
-    const x = (column + 0.5 - size / 2) / radius;
-    const y = (size / 2 - row - 0.5) / radius;
-    const distance = Math.hypot(x, y);
-    if (distance * radius > radius + BORDER) return [0, 0, 0];
-    // Beyond the edge the rim goes on; how much of a pixel is covered is its alpha.
-    const z = Math.max(LOWEST, Math.sqrt(Math.max(0, 1 - distance * distance)));
-    const scale = Math.sqrt(1 - z * z) / (distance || 1);
-    const [r, g, b] = shade(lobeAt([x * scale, y * scale, z]));
-    return [r + emission[0], g + emission[1], b + emission[2]];
-  });
+  const { patterns = [] } = subject;
+  const radiance =
+    patterns.length > 0
+      ? patternedRadiance(
+          subject,
+          patterns,
+          radius,
+          (parameters, bend) => radianceOf({ ...subject, parameters }, size, bend),
+          (pixel) => normalAt(pixel % size, Math.floor(pixel / size), size).n,
+        )
+      : radianceOf(subject, size, null);
   const pixels = displayPixels(radiance, { exposure: EXPOSURE, toneMapping: 'neutral' });
   for (let i = 0; i < size * size; i++) {
     const x = (i % size) + 0.5 - size / 2;
@@ -58,6 +58,45 @@ export function thumbnail(subject: ThumbnailSubject, size: number): Uint8Clamped
     pixels[4 * i + 3] = 255 * Math.min(1, Math.max(0, radius - Math.hypot(x, y) + 0.5));
   }
   return pixels as Uint8ClampedArray<ArrayBuffer>;
+}
+
+/** Beyond the edge the rim goes on; how much of a pixel is covered is its alpha. */
+function normalAt(column: number, row: number, size: number): { n: Vec3; distance: number } {
+  const radius = (FILL * size) / 2;
+  const x = (column + 0.5 - size / 2) / radius;
+  const y = (size / 2 - row - 0.5) / radius;
+  const distance = Math.hypot(x, y);
+  const z = Math.max(LOWEST, Math.sqrt(Math.max(0, 1 - distance * distance)));
+  const scale = Math.sqrt(1 - z * z) / (distance || 1);
+  return { n: [x * scale, y * scale, z], distance };
+}
+
+/** RGB, rows from the top. @param bend turns the normals of a surface without a grain */
+function radianceOf(subject: ThumbnailSubject, size: number, bend: Bend | null): Float32Array {
+  const { model, emission = [0, 0, 0] } = subject;
+  const whole = subject.multipleScattering ? multipleScatteringModel(model) : model;
+  const f = createQuickEvaluator(whole, subject.parameters).term(whole.main);
+  const isGrained = hasGrain(f);
+  const lobeAt = isGrained ? grainedLobes(f) : roundLobes(subject, f);
+  const radius = (FILL * size) / 2;
+  const turned = bend && !isGrained ? (n: Vec3) => towardsViewer(bend(n)) : null;
+  const at = (column: number, row: number): Rgb => {
+    const { n, distance } = normalAt(column, row, size);
+    if (distance * radius > radius + BORDER) return [0, 0, 0];
+    const [r, g, b] = shade(lobeAt(turned ? turned(n) : n));
+    return [r + emission[0], g + emission[1], b + emission[2]];
+  };
+  if (!turned) return sparsely(size, at);
+  const radiance = new Float32Array(3 * size * size);
+  for (let i = 0; i < size * size; i++) radiance.set(at(i % size, Math.floor(i / size)), 3 * i);
+  return radiance;
+}
+
+/** What is turned away would not be seen. */
+function towardsViewer([x, y, z]: Vec3): Vec3 {
+  if (z >= LOWEST) return [x, y, z];
+  const scale = Math.sqrt(1 - LOWEST * LOWEST) / Math.hypot(x, y);
+  return [x * scale, y * scale, LOWEST];
 }
 
 /** A lobe, and the axes of its frame in the studio. */

@@ -2,8 +2,9 @@
 import type { ParameterValue } from '../../brdf/model.ts';
 import { labToRgb } from '../../color/lab.ts';
 import { findModel } from '../../scene/models.ts';
+import { specularOf } from '../../scene/specular.ts';
 import type { Rgb } from '../plots/curve.ts';
-import { SODIUM_D, specularOf, substanceParameters } from '../substances/parameters.ts';
+import { SODIUM_D, substanceParameters } from '../substances/parameters.ts';
 import { opticalConstants, type Substance } from '../substances/substance.ts';
 import { substances } from '../substances/table.ts';
 import type { Category, LibraryEntry, Look } from './entry.ts';

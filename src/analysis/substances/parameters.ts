@@ -1,24 +1,13 @@
-/**
- * A substance as parameters of a model. This is the one place that says what parameters mean for a substance; it knows
- * no model, only names and types of parameters.
- */
+/** A substance as parameters of a model; it knows no model, only names and types of parameters. */
 import type { Parameter, ParameterValue } from '../../brdf/model.ts';
+import { COLOR_NAMES } from '../../scene/carried-look.ts';
+import { specularOf } from '../../scene/specular.ts';
 import type { Rgb } from '../plots/curve.ts';
 import { reflectedColor } from './reflectance.ts';
 import { opticalConstants, type Substance } from './substance.ts';
 
-/** `specular` 1 of Burley's model (2012, section 5.2) is a reflectance of 8 % at normal incidence. */
-const SPECULAR_SCALE = 0.08;
 /** The yellow line of sodium in nm, at which tables give the index of refraction. */
 export const SODIUM_D = 589.3;
-
-/** Names by which models call the colour of a metal's reflection. */
-const COLORS = ['baseColor', 'albedo'];
-
-/** `specular` of Burley's model for a smooth boundary of air and a body of that index of refraction. */
-export function specularOf(ior: number): number {
-  return ((ior - 1) / (ior + 1)) ** 2 / SPECULAR_SCALE;
-}
 
 export interface SubstanceParameters {
   readonly values: Readonly<Record<string, ParameterValue>>;
@@ -43,7 +32,7 @@ export function substanceParameters(
   };
   const f0 = reflectedColor(substance, 1);
   if (substance.kind === 'conductor') {
-    const color = COLORS.find((name) => find(name)?.type === 'color');
+    const color = COLOR_NAMES.find((name) => find(name)?.type === 'color');
     if (color === undefined || !set('metallic', 1)) return null;
     values[color] = f0.map(inRange) as unknown as Rgb;
   } else {

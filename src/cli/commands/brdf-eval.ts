@@ -70,7 +70,7 @@ function answerOf(f: Rgb): Answer {
 }
 
 /** The lines that came together, as soon as they came: one who asks line by line is answered line by line. */
-async function* linesOf(stream: NodeJS.ReadStream): AsyncGenerator<string[]> {
+async function* linesOf(stream: NodeJS.ReadableStream): AsyncGenerator<string[]> {
   let rest = '';
   stream.setEncoding('utf8');
   for await (const chunk of stream) {

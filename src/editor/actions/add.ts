@@ -9,7 +9,8 @@ import type { Session } from '../session.ts';
 import type { EntityKind } from '../state.ts';
 import type { Action } from './action.ts';
 
-export function addActions({ store, state }: Session): Action[] {
+export function addActions(session: Session): Action[] {
+  const { store, state } = session;
   const action = (kind: EntityKind, type: string, name: string, add: () => string): Action => ({
     id: `add.${type}`,
     title: t('Add {what}', { what: translate(name).toLocaleLowerCase() }),
@@ -30,6 +31,12 @@ export function addActions({ store, state }: Session): Action[] {
       ),
     ),
     action('materials', 'material', 'Material', () => addMaterial(store)),
+    {
+      id: 'add.menu',
+      title: t('Add…'),
+      keys: ['Shift+A'],
+      run: () => session.hands()?.openAddMenu(),
+    },
   ];
 }
 

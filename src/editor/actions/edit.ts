@@ -1,5 +1,6 @@
 /** What changes the document. */
-import { toggleSource } from '../commands.ts';
+import { removeUnused } from '../../scene/commands.ts';
+import { attempt, toggleSource } from '../commands.ts';
 import { t } from '../language/language.ts';
 import type { Session } from '../session.ts';
 import { toastError } from '../ui/toast.ts';
@@ -34,6 +35,11 @@ export function editActions(session: Session): Action[] {
       keys: ['Ctrl+E'],
       on: () => state.value.source !== null,
       run: () => toggleSource(store, state),
+    },
+    {
+      id: 'edit.removeUnused',
+      title: t('Remove unused materials and files'),
+      run: () => attempt(t('Nothing was removed'), () => removeUnused(store)),
     },
   ];
 }

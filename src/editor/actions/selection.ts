@@ -5,14 +5,20 @@ import { attempt } from '../commands.ts';
 import { t } from '../language/language.ts';
 import {
   allMembers,
+  assignLastMaterial,
   deleteSelected,
   duplicateSelected,
+  forgetAlone,
+  giveOwn,
   groupSelected,
+  isAlone,
   selectEverything,
   selectedMembers,
   selectGroups,
   selectInverse,
+  selectSameMaterial,
   shiftSelected,
+  toggleAlone,
   toggleLocked,
   toggleVisible,
   ungroupSelected,
@@ -25,7 +31,11 @@ export function selectionActions(session: Session): Action[] {
   const something = () => state.value.selected.length > 0;
   const members = () => selectedMembers(session);
   const someMembers = () => members().length > 0;
+  const objects = () => state.value.selected.filter(({ kind }) => kind === 'objects').length;
   const grouped = () => members().some((ref) => groupOf(store.document, ref) !== null);
+  store.subscribe(({ reason }) => {
+    if (reason === 'open') forgetAlone();
+  });
   return [
     {
       id: 'edit.rename',
@@ -92,6 +102,14 @@ export function selectionActions(session: Session): Action[] {
         attempt(t('Nothing was hidden or shown'), () => setVisible(store, allMembers(session), true)),
     },
     {
+      id: 'edit.alone',
+      title: t('Show it alone, or everything again'),
+      keys: ['/'],
+      enabled: () => someMembers() || isAlone(session),
+      on: () => isAlone(session),
+      run: () => toggleAlone(session),
+    },
+    {
       id: 'edit.lock',
       title: t('Lock or unlock'),
       keys: ['Shift+L'],
@@ -124,6 +142,31 @@ export function selectionActions(session: Session): Action[] {
       keys: ['Shift+G'],
       enabled: grouped,
       run: () => selectGroups(session),
+    },
+    {
+      id: 'edit.selectSameMaterial',
+      title: t('Select all of the same material'),
+      keys: ['Shift+M'],
+      enabled: () => state.value.selected.some(({ kind }) => kind !== 'lights'),
+      run: () => selectSameMaterial(session),
+    },
+    {
+      id: 'edit.assignLastMaterial',
+      title: t('Give all of them the material of the last one'),
+      enabled: () => objects() > 1 && state.value.selection?.kind === 'objects',
+      run: () => assignLastMaterial(session),
+    },
+    {
+      id: 'edit.ownMaterial',
+      title: t('A copy of the material for it alone'),
+      enabled: () => objects() > 0,
+      run: () => giveOwn(session),
+    },
+    {
+      id: 'edit.align',
+      title: t('Align…'),
+      enabled: () => members().length > 1,
+      run: () => session.hands()?.openAlignMenu(),
     },
     {
       id: 'edit.find',

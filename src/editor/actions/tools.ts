@@ -42,6 +42,13 @@ export function toolActions(session: Session): Action[] {
     tool('rotate', t('Rotate'), 'E'),
     tool('scale', t('Scale'), 'R'),
     {
+      id: 'tool.grab',
+      title: t('Take hold of what is selected'),
+      keys: ['G'],
+      enabled: somethingPlaced,
+      run: () => session.hands()?.grab(),
+    },
+    {
       id: 'tool.space',
       title: t('Along the object’s own axes'),
       keys: ['X'],
@@ -61,6 +68,14 @@ export function toolActions(session: Session): Action[] {
       keys: ['Shift+S'],
       on: () => state.value.snap,
       run: () => state.set({ snap: !state.value.snap }),
+    },
+    {
+      id: 'tool.steps',
+      title: t('How large the steps are…'),
+      run: () =>
+        document
+          .querySelector('[data-keys="tool.snap"]')
+          ?.dispatchEvent(new MouseEvent('contextmenu', { cancelable: true })),
     },
     {
       id: 'tool.drop',

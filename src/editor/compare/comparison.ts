@@ -1,5 +1,6 @@
 /** Two materials on the same objects: A, which the scene has, and B in its place. It is no part of the document. */
 import type { MaterialFile } from '../../io/material-file.ts';
+import { carriedLook } from '../../scene/carried-look.ts';
 import { findModel, modelNames } from '../../scene/models.ts';
 import type { Document, Material } from '../../scene/schema.ts';
 import type { Offer } from '../panels/library/chosen.ts';
@@ -13,24 +14,18 @@ export interface Comparison {
   readonly title: string;
 }
 
-/** A with another model: the values that both know by name and type, as for a change of the model. */
+/** Why there is nothing to compare: A or B has gone, or no object has A any more. Null if there is. */
+export function missingOf(document: Document, { material, other }: Comparison): 'A' | 'B' | 'objects' | null {
+  if (!Object.hasOwn(document.materials, material)) return 'A';
+  if (other.kind === 'scene' && !Object.hasOwn(document.materials, other.id)) return 'B';
+  const isUsed = Object.values(document.objects).some((object) => object.material === material);
+  return isUsed ? null : 'objects';
+}
+
+/** A with another model, which has of its look what a change of the model leaves. */
 export function withModel(document: Document, material: Material, model: string): MaterialFile {
   const [before, after] = [findModel(document, material.model), findModel(document, model)];
-  const typeIn = (of: typeof before, name: string) =>
-    of?.parameters.find((parameter) => parameter.name === name)?.type;
-  const kept = <T>(values: Readonly<Record<string, T>>): Record<string, T> =>
-    Object.fromEntries(
-      Object.entries(values).filter(([name]) => {
-        const type = typeIn(after, name);
-        return type !== undefined && type === typeIn(before, name);
-      }),
-    );
-  const changed = {
-    ...material,
-    model,
-    parameters: kept(material.parameters),
-    textures: kept(material.textures),
-  };
+  const changed = { ...material, model, ...carriedLook(before, after, material) };
   return { material: changed, models: document.models, assets: document.assets };
 }
 

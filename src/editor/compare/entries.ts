@@ -17,7 +17,7 @@ export function comparisonEntries(session: Session, id: string, openLibrary: () 
       tip: t('Choose one there, then Compare'),
       run: openLibrary,
     },
-    { heading: t('The same values in another model') },
+    { heading: t('The same look in another model') },
     ...otherModels(document, material).map((model) => ({
       label: model,
       run: () => compareModel(session, id, model),

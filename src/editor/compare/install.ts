@@ -9,7 +9,7 @@ import { contentOf } from '../panels/library/chosen.ts';
 import type { Session } from '../session.ts';
 import { toast, toastError } from '../ui/toast.ts';
 import type { Viewport } from '../viewport/viewport.ts';
-import { type Comparison, withModel } from './comparison.ts';
+import { type Comparison, missingOf, withModel } from './comparison.ts';
 import { SecondPicture } from './second-picture.ts';
 import { createComparisonView } from './view.ts';
 
@@ -35,9 +35,17 @@ export function installComparison(context: ComparisonContext): void {
   };
   const show = (comparison: Comparison) => {
     const { document } = store;
-    const content = otherOf(document, comparison);
+    const missing = missingOf(document, comparison);
+    const content = missing ? null : otherOf(document, comparison);
     if (!content) {
       state.set({ comparison: null });
+      toast(
+        'info',
+        t('The comparison has ended'),
+        missing === 'objects'
+          ? t('No object has A any more.')
+          : t('One of the materials is no longer there.'),
+      );
       return;
     }
     picture ??= new SecondPicture({
@@ -71,26 +79,14 @@ export function installComparison(context: ComparisonContext): void {
   };
   state.subscribe((now, before) => {
     if (now.comparison !== before.comparison) follow();
-    // The path tracer has the document's material alone.
-    else if (now.comparison && now.rendering !== 'interactive') {
-      const { comparison } = now;
-      state.set({ comparison: null });
-      toast(
-        'info',
-        t('The comparison has ended'),
-        t('It is of the interactive picture; path traced pictures show A.'),
-        {
-          label: t('Compare again'),
-          run: () => state.set({ comparison, rendering: 'interactive' }),
-        },
-      );
-    }
   });
   store.subscribe(({ document, previous, reason }) => {
-    if (!state.value.comparison) return;
+    const { comparison } = state.value;
+    if (!comparison) return;
     if (reason === 'open') state.set({ comparison: null });
     else if (
       document.materials !== previous.materials ||
+      missingOf(document, comparison) !== null ||
       document.models !== previous.models ||
       document.assets !== previous.assets
     )

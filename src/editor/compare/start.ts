@@ -5,21 +5,25 @@ import { t } from '../language/language.ts';
 import { contentOf, giveLook, type Offer, titleOf } from '../panels/library/chosen.ts';
 import type { Session } from '../session.ts';
 import { toast } from '../ui/toast.ts';
-import type { Comparison } from './comparison.ts';
+import { type Comparison, missingOf } from './comparison.ts';
 
 export function startComparison({ store, state }: Session, material: string, offer: Offer): void {
   if (offer.kind === 'scene' && offer.id === material) return;
   const { document } = store;
   if (!attempt(t('Nothing to compare with'), () => contentOf(offer, document))) return;
-  begin(state, { material, other: offer, title: titleOf(offer, document) });
+  begin({ store, state }, { material, other: offer, title: titleOf(offer, document) });
 }
 
-export function compareModel({ state }: Session, material: string, model: string): void {
-  begin(state, { material, other: { kind: 'model', model }, title: model });
+export function compareModel(session: Session, material: string, model: string): void {
+  begin(session, { material, other: { kind: 'model', model }, title: model });
 }
 
 /** What is compared is the interactive picture. */
-function begin(state: Session['state'], comparison: Comparison): void {
+function begin({ store, state }: Pick<Session, 'store' | 'state'>, comparison: Comparison): void {
+  if (missingOf(store.document, comparison) === 'objects') {
+    toast('info', t('Nothing to compare'), t('No object has this material.'));
+    return;
+  }
   if (state.value.rendering !== 'interactive')
     toast('info', t('Materials are compared in the interactive picture'));
   state.set({ comparison, rendering: 'interactive', divider: 0.5 });

@@ -25,17 +25,35 @@ export function createComparisonView(session: Session): HTMLElement {
     h('b', {}, 'B'),
     nameB,
   );
-  const element = h('div', { class: 'split comparison', hidden: true }, line.element, bar);
+  const action = (text: string, run: () => void) => {
+    const button = h('button', { type: 'button', class: 'text-button' }, text);
+    button.addEventListener('click', run);
+    return button;
+  };
+  // The path tracer has the document's material alone.
+  const paused = h(
+    'div',
+    { class: 'compare-paused', role: 'group', 'aria-label': t('Comparison of two materials') },
+    h('span', {}, t('Path traced pictures show A alone.')),
+    action(t('Back to the comparison'), () => state.set({ rendering: 'interactive' })),
+    action(t('End'), () => endComparison(session, 'A')),
+  );
+  const element = h('div', { class: 'split comparison', hidden: true }, line.element, bar, paused);
   const show = () => {
-    const { comparison, divider } = state.value;
+    const { comparison, divider, rendering } = state.value;
     element.hidden = comparison === null;
     if (!comparison) return;
+    const isPaused = rendering !== 'interactive';
+    line.element.hidden = isPaused;
+    bar.hidden = isPaused;
+    paused.hidden = !isPaused;
     line.show(divider);
     nameA.textContent = store.document.materials[comparison.material]?.name ?? '';
     nameB.textContent = comparison.title;
   };
   state.subscribe((now, before) => {
-    if (now.comparison !== before.comparison || now.divider !== before.divider) show();
+    const isOther = now.comparison !== before.comparison || now.rendering !== before.rendering;
+    if (isOther || now.divider !== before.divider) show();
   });
   store.subscribe(show);
   show();

@@ -1,4 +1,4 @@
-/** Which file of the disk a dropped one is, in browsers that say so: Save writes there. */
+/** Which file of the disk a dropped or chosen one is, in browsers that say so: Save writes there. */
 
 declare global {
   // Not yet in every browser, nor in TypeScript's declarations.
@@ -23,6 +23,10 @@ export function noteHandles({ items, files }: DataTransfer): void {
       found.catch(() => null),
     );
   }
+}
+
+export function keepHandle(file: File, handle: FileSystemFileHandle | null): void {
+  handles.set(file, Promise.resolve(handle));
 }
 
 export async function handleOf(file: File): Promise<FileSystemFileHandle | null> {

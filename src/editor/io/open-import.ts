@@ -61,8 +61,10 @@ export async function importFile(
     case 'model': {
       const { imported } = result;
       const { addImported } = await import('../../io/gltf/add.ts');
-      assets.adopt(imported.asset, source);
-      trustAsset(imported.asset);
+      if (imported.asset) {
+        assets.adopt(imported.asset, source);
+        trustAsset(imported.asset);
+      }
       let added: MemberRef[] = [];
       const wasNew = context.isNew();
       const isFramed = wasNew || Object.keys(store.document.objects).length === 0;

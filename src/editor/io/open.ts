@@ -2,6 +2,7 @@
  * Files into the scene, whichever way they come: dropped, opened, in an archive, from an address, or handed over by the
  * server. What cannot be read changes nothing and says what is wrong with it.
  */
+import { unescaped } from '../../io/meshes/companions.ts';
 import type { AssetLoader } from '../../scene/assets.ts';
 import { keepAsset } from '../../scene/commands.ts';
 import { measuredKinds } from '../../scene/measured.ts';
@@ -11,6 +12,7 @@ import { plural, t } from '../language/language.ts';
 import type { EditorStateStore } from '../state.ts';
 import { confirm } from '../ui/confirm.ts';
 import { startProgress, toast, toastError } from '../ui/toast.ts';
+import { filesToOpen, strangers } from './chosen-files.ts';
 import { fileKind, isLessonFile, pathOf, readAsset } from './files.ts';
 import { ImportCancelled } from './importer/import-job.ts';
 import { importFile, runImport } from './open-import.ts';
@@ -35,6 +37,11 @@ const FORMATS = t(
   { measured: measuredKinds },
 );
 
+const isArchive = (file: File): boolean => fileKind(file.name) === 'archive';
+
+/** Bytes of the archives inside an archive. */
+const MOST_INSIDE = 1024 * 1024 * 1024;
+
 /** More models than this at once are asked about: an archive may be a whole library. */
 const MANY_MODELS = 12;
 
@@ -52,24 +59,16 @@ export async function openFiles(
 ): Promise<void> {
   const files: File[] = [];
   for (const file of given)
-    if (fileKind(file.name) === 'archive') files.push(...(await unpacked(file)));
+    if (isArchive(file)) files.push(...(await unpacked(file)));
     else files.push(file);
   if (files.some((file) => isLessonFile(file.name))) {
     await context.openLesson(files);
     return;
   }
   const toOpen = filesToOpen(files);
-  if (toOpen.length === 0) {
-    if (given[0] && fileKind(given[0].name) !== 'archive')
-      toast('error', t('{name}: not a kind of file that Irradia opens', { name: given[0].name }), FORMATS);
-    else if (given[0] && files.length > 0)
-      toast(
-        'error',
-        t('{name}: nothing in it is a kind of file that Irradia opens', { name: given[0].name }),
-        FORMATS,
-      );
-    return;
-  }
+  const odd = strangers(files);
+  if (odd.length > 0 || toOpen.length === 0) tellUnopened(odd.length > 0 ? odd : given, files.length > 0);
+  if (toOpen.length === 0) return;
   const models = toOpen.filter((file) => fileKind(file.name) === 'model').length;
   if (models > MANY_MODELS) {
     const detail = t('They come with all that lies beside them. Each is an undo step of its own.');
@@ -81,54 +80,52 @@ export async function openFiles(
   for (const file of toOpen) if (!(await openFile(context, file, files, options))) return;
 }
 
-/** A file, and others that it refers to, from an address. */
+/** @param isUnpacked false where an archive could not be read, which has been told */
+function tellUnopened(files: readonly File[], isUnpacked: boolean): void {
+  const [first] = files;
+  if (first === undefined) return;
+  const folder = first.webkitRelativePath.split('/')[0] || (isArchive(first) ? first.name : '');
+  if (folder === '') {
+    const name = files.map((file) => file.name).join(', ');
+    toast('error', t('{name}: not a kind of file that Irradia opens', { name }), FORMATS);
+  } else if (isUnpacked)
+    toast(
+      'error',
+      t('{name}: nothing in it is a kind of file that Irradia opens', { name: folder }),
+      FORMATS,
+    );
+}
+
+/** The last part of an address, to be read. */
+export function nameOfAddress(address: string): string {
+  const last = address
+    .replace(/[?#].*$/, '')
+    .replace(/\/+$/, '')
+    .replace(/^.*\//, '');
+  return unescaped(last) || address;
+}
+
+/** A file, and others that it refers to, from an address. @returns whether it could be fetched */
 export async function openAddress(
   context: OpenContext,
   address: string,
   options: OpenOptions = {},
-): Promise<void> {
-  const name = address.replace(/[?#].*$/, '').replace(/^.*\//, '') || address;
+): Promise<boolean> {
+  const name = nameOfAddress(address);
   try {
+    if (!URL.canParse(address, location.href)) throw new Error(t('{address} is not an address', { address }));
     const { result } = await runImport(t('Fetching {name}', { name }), {
       kind: 'fetch',
       url: new URL(address, location.href).href,
     });
     if (result.kind === 'files') await openFiles(context, result.files.map(placedFile), options);
+    return true;
   } catch (error) {
     if (!(error instanceof ImportCancelled))
       toastError(t('{name} was not opened; the scene is unchanged', { name }), error);
+    return false;
   }
 }
-
-/** Those that are opened; the others are parts of them, or of no kind that is known. */
-function filesToOpen(files: readonly File[]): File[] {
-  const known = files.filter((file) => fileKind(file.name) !== 'unknown');
-  const models = known.filter((file) => fileKind(file.name) === 'model');
-  // Libraries offer the same model in several formats; the one that says most comes first.
-  const order = ['glb', 'gltf', 'obj', 'ply', 'stl'];
-  const rank = (file: File) => order.indexOf(file.name.replace(/^.*\./, '').toLowerCase());
-  const stem = (file: File) => file.name.replace(/\.[^.]*$/, '').toLowerCase();
-  const best = new Map<string, File>();
-  for (const file of models.toSorted((a, b) => rank(a) - rank(b)))
-    if (file.webkitRelativePath === '' || !best.has(stem(file))) best.set(pathKey(file, stem(file)), file);
-  const isPart = (file: File): boolean => {
-    const kind = fileKind(file.name);
-    // Beside a model, images are its textures, and .json files of its folder say things about it.
-    if (models.length > 0) return kind === 'image' || (kind === 'json' && file.webkitRelativePath !== '');
-    // Beside a scene, too.
-    return kind === 'image' && known.some((other) => fileKind(other.name) === 'json');
-  };
-  // Saved parameters come last: the model that they are for may be among the files.
-  const late = (file: File) => (fileKind(file.name) === 'parameters' ? 1 : 0);
-  const chosen = new Set(best.values());
-  return known
-    .filter((file) => (fileKind(file.name) === 'model' ? chosen.has(file) : !isPart(file)))
-    .toSorted((a, b) => late(a) - late(b));
-}
-
-/** Files that were dropped by themselves are all meant. */
-const pathKey = (file: File, stem: string): string =>
-  file.webkitRelativePath === '' ? `${stem} ${file.name} ${file.lastModified} ${file.size}` : stem;
 
 function placedFile({ path, bytes }: { path: string; bytes: Uint8Array<ArrayBuffer> }): File {
   const file = new File([bytes], path.replace(/^.*\//, ''));
@@ -137,7 +134,23 @@ function placedFile({ path, bytes }: { path: string; bytes: Uint8Array<ArrayBuff
   return file;
 }
 
+/** The files of an archive, and of the archives in it: model libraries put the author's own into theirs. */
 async function unpacked(archive: File): Promise<File[]> {
+  const files: File[] = [];
+  const inside: File[] = [];
+  for (const file of await filesOf(archive)) (isArchive(file) ? inside : files).push(file);
+  let size = 0;
+  for (const inner of inside) {
+    const found = await filesOf(inner);
+    for (const file of found) size += file.size;
+    files.push(...found.filter((file) => !isArchive(file)));
+    // A few bytes of an archive can be many archives of a gigabyte each.
+    if (size > MOST_INSIDE) break;
+  }
+  return files;
+}
+
+async function filesOf(archive: File): Promise<File[]> {
   try {
     const { result } = await runImport(t('Reading {file}', { file: archive.name }), {
       kind: 'unzip',
@@ -145,7 +158,7 @@ async function unpacked(archive: File): Promise<File[]> {
     });
     // An archive is a folder, whether it has folders or not.
     return result.kind === 'files'
-      ? result.files.map(({ path, bytes }) => placedFile({ path: `${archive.name}/${path}`, bytes }))
+      ? result.files.map(({ path, bytes }) => placedFile({ path: `${pathOf(archive)}/${path}`, bytes }))
       : [];
   } catch (error) {
     if (!(error instanceof ImportCancelled))

@@ -59,7 +59,7 @@ function partsOf(catalogue: Catalogue, text: string): string {
     const before = separator === ': ' ? placeOf(catalogue, first) : translated(catalogue, first);
     return `${before}${separator}${translated(catalogue, rest)}`;
   }
-  return text;
+  return counted(catalogue, text);
 }
 
 /** `line 12`; a word alone may be a name that a person gave. */
@@ -67,7 +67,7 @@ const placeOf = (catalogue: Catalogue, text: string): string =>
   (/^\w+ \d+$/.test(text) ? entryFor(catalogue, text) : null) ?? text;
 
 function filling(catalogue: Catalogue, hole: string, value: string): string {
-  if (/^\d+ [a-z]/.test(value)) return counted(catalogue, value);
+  if (COUNTS.test(value)) return counted(catalogue, value);
   if (!TRANSLATED_HOLES.has(hole)) return value;
   const known = entryFor(catalogue, value);
   if (known !== null) return known;
@@ -76,8 +76,11 @@ function filling(catalogue: Catalogue, hole: string, value: string): string {
   return other === null ? translated(catalogue, value) : toggled(other);
 }
 
-/** `2 lights, 1 object and 3 materials`. */
+const COUNTS = /^\d+ [a-z]/;
+
+/** `2 lights, 1 object and 3 materials`; anything else as it is. */
 function counted(catalogue: Catalogue, value: string): string {
+  if (!COUNTS.test(value)) return value;
   const and = entryFor(catalogue, 'and') ?? 'and';
   return value
     .split(/(, | and )/)

@@ -11,6 +11,7 @@ export function selectionEntries(session: Session): MenuEntry[] {
   const members = selectedMembers(session);
   const hidden = members.length > 0 && members.every(({ kind, id }) => !store.document[kind][id]?.visible);
   const locked = members.length > 0 && members.every(({ kind, id }) => store.document[kind][id]?.locked);
+  const objects = members.filter(({ kind }) => kind === 'objects').length;
   return [
     actionEntry(actions, 'edit.cut'),
     actionEntry(actions, 'edit.copy', { icon: 'copy' }),
@@ -31,6 +32,16 @@ export function selectionEntries(session: Session): MenuEntry[] {
       icon: locked ? 'lockOpen' : 'lock',
       label: locked ? t('Unlock') : t('Lock'),
     }),
+    actionEntry(actions, 'edit.alone'),
+    ...(members.length > 1 ? [actionEntry(actions, 'edit.align')] : []),
+    ...(objects > 0
+      ? ([
+          'separator',
+          actionEntry(actions, 'edit.selectSameMaterial', { icon: 'material' }),
+          actionEntry(actions, 'edit.ownMaterial'),
+          ...(objects > 1 ? [actionEntry(actions, 'edit.assignLastMaterial')] : []),
+        ] as const)
+      : []),
     'separator',
     actionEntry(actions, 'view.focus', { icon: 'focus', label }),
   ];

@@ -10,14 +10,24 @@ import { type IconName, icon } from '../ui/icons.ts';
 /** By the class of the panel. */
 export type Sheet = 'panel-left' | 'panel-right' | 'bench' | 'status' | 'source';
 
-export function createSheetTabs({ state, store, actions }: Session): HTMLElement {
+export interface SheetTabs {
+  readonly element: HTMLElement;
+  /** Null: what lies under the picture when no panel does. */
+  open(sheet: Sheet | null): void;
+}
+
+export function createSheetTabs({ state, store, actions }: Session): SheetTabs {
   let sheet: Sheet | null = null;
   const tab = (own: Sheet | null, label: string, name: IconName) => {
     const button = h('button', { type: 'button', class: 'sheet-tab' }, icon(name), h('span', {}, label));
     button.addEventListener('click', () => {
       if (own === 'bench' && !state.value.benchOpen) actions.run('view.bench');
       // A second touch gives the picture its place back.
-      else open(own === sheet ? null : own);
+      else {
+        open(own === sheet ? null : own);
+        // The library keeps the place of the sheets until the picture is asked for.
+        if (own === null && actions.get('material.library').on?.()) actions.run('material.library');
+      }
     });
     return { own, button };
   };
@@ -47,5 +57,5 @@ export function createSheetTabs({ state, store, actions }: Session): HTMLElement
     if (reason === 'open') open(null);
   });
   open(null);
-  return element;
+  return { element, open };
 }

@@ -23,23 +23,28 @@ export interface DifferenceView {
   readonly element: HTMLElement;
   /** Null while no map is shown. */
   readonly canvas: HTMLCanvasElement | null;
+  /** Over the map, for the outlines of what is selected. */
+  readonly lines: HTMLCanvasElement;
 }
 
 export function createDifference(
   { store, state }: Session,
   tracing: PathTracing,
   readPair: () => Promise<ImagePair | null>,
+  onMap: () => void,
 ): DifferenceView {
   const canvas = h('canvas', {
     class: 'difference-map',
     'aria-label': t('Map of the difference'),
     role: 'img',
   });
+  const lines = h('canvas', { class: 'difference-lines', 'aria-hidden': 'true' });
   const mean = h('output', { class: 'difference-mean' });
   const element = h(
     'div',
     { class: 'difference', hidden: true },
     canvas,
+    lines,
     h(
       'div',
       { class: 'difference-key', tip: KEY_TIP },
@@ -67,6 +72,7 @@ export function createDifference(
     element.hidden = rendering !== 'difference';
     if (tracing.state.kind !== 'picture') shown = null;
     canvas.hidden = shown === null;
+    lines.hidden = canvas.hidden;
     if (shown === null) mean.textContent = t('not yet');
     if (busy || !isNews() || tracing.state.kind !== 'picture') return;
     busy = true;
@@ -85,6 +91,8 @@ export function createDifference(
         mean.textContent = t('mean {value}', { value: picture.mean.toFixed(4) });
         shown = next;
         canvas.hidden = false;
+        lines.hidden = false;
+        onMap();
       }
     } catch (error) {
       shown = next;
@@ -100,6 +108,7 @@ export function createDifference(
   void show();
   return {
     element,
+    lines,
     get canvas() {
       return element.hidden || canvas.hidden ? null : canvas;
     },

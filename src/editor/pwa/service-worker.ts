@@ -30,6 +30,9 @@ const PATIENCE_MS = 3000;
 const home = scope.registration.scope;
 const listed = new Set(FILES.map((file) => new URL(file, home).href));
 
+/** Files with a hash in their names are the same in every build that has them. */
+const isHashed = (url: string) => url.startsWith(`${home}assets/`);
+
 scope.addEventListener('install', (event) => (event as ExtendableEvent).waitUntil(store()));
 scope.addEventListener('activate', (event) => (event as ExtendableEvent).waitUntil(takeOver()));
 scope.addEventListener('fetch', (event) => answer(event as FetchEvent));
@@ -43,17 +46,17 @@ scope.addEventListener('message', (event) => {
 async function store(): Promise<void> {
   const cache = await caches.open(CACHE);
   for (const url of listed) {
-    // Files with a hash in their names are the same in every build that has them.
-    const known = url.includes('/assets/') ? await caches.match(url) : undefined;
+    const known = isHashed(url) ? await caches.match(url) : undefined;
     const response = known ?? (await fetch(url, { cache: 'no-cache' }));
     if (!response.ok) throw new Error(`${url}: ${response.status}`);
     await cache.put(url, response);
   }
 }
 
+/** The build before this one stays: other tabs may still have its page, and ask for parts of it. */
 async function takeOver(): Promise<void> {
-  for (const name of await caches.keys())
-    if (name.startsWith('irradia-') && name !== CACHE) await caches.delete(name);
+  const others = (await caches.keys()).filter((name) => name.startsWith('irradia-') && name !== CACHE);
+  for (const name of others.slice(0, -1)) await caches.delete(name);
   await scope.clients.claim();
 }
 
@@ -65,7 +68,7 @@ function answer(event: FetchEvent): void {
   const isPage =
     request.mode === 'navigate' && [home, `${home}index.html`].includes(url.origin + url.pathname);
   if (isPage) event.respondWith(page(request));
-  else if (listed.has(url.href)) event.respondWith(file(url.href));
+  else if (listed.has(url.href) || isHashed(url.href)) event.respondWith(file(url.href));
 }
 
 async function page(request: Request): Promise<Response> {
@@ -87,7 +90,8 @@ function hurried(request: Request): Promise<Response> {
 }
 
 async function file(url: string): Promise<Response> {
-  return isolated((await stores(url)) ?? (await fetch(url)));
+  const stored = (await stores(url)) ?? (isHashed(url) ? await caches.match(url) : undefined);
+  return isolated(stored ?? (await fetch(url)));
 }
 
 async function stores(url: string): Promise<Response | undefined> {

@@ -27,6 +27,8 @@ export interface AutosaveOptions {
   onState(state: KeepState): void;
   /** The document has just got its place among the kept ones. */
   onFirstKept(kept: KeptDocument): void;
+  /** The document is kept, a version of it is not. */
+  onNoVersion(error: unknown): void;
 }
 
 export class Autosave {
@@ -45,6 +47,8 @@ export class Autosave {
   #state: KeepState = { kind: 'unchanged' };
   #timer: number | undefined;
   #writing: Promise<void> = Promise.resolve();
+  /** What is being written would be lost with the page: its assets are still being hashed, or asked for. */
+  #atRisk = false;
 
   constructor(options: AutosaveOptions) {
     this.#options = options;
@@ -66,6 +70,13 @@ export class Autosave {
   use(storage: KeptDocuments | null, unavailable: unknown = null): void {
     this.#storage = storage;
     this.#unavailable = unavailable;
+    if (storage && this.#state.kind === 'failed') this.#schedule();
+  }
+
+  /** What was kept may no longer be there, and can be again. */
+  cleared(): void {
+    this.#written = null;
+    if (this.#kept || this.#state.kind === 'failed') void this.flush(true);
   }
 
   get kept(): KeptDocument | null {
@@ -80,12 +91,13 @@ export class Autosave {
   opened(document: Document, kept: KeptDocument | null, address: string | null, lastVersion = 0): void {
     clearTimeout(this.#timer);
     this.#timer = undefined;
+    this.#atRisk = false;
     this.#kept = kept;
     this.#wasKept = kept !== null;
     this.#address = address;
     this.#file = kept?.file ?? null;
     this.#opened = document;
-    this.#written = kept ? document : null;
+    this.#written = kept && Number.isFinite(kept.changesSize) ? document : null;
     this.#lastVersion = lastVersion;
     this.#tell(kept ? { kind: 'kept', time: kept.modified } : { kind: 'unchanged' });
     if (!kept && address === null) this.#schedule();
@@ -111,8 +123,8 @@ export class Autosave {
     if (this.#kept) await this.flush(true);
   }
 
-  /** Resolves when everything is written, or could not be. */
-  async flush(force = false): Promise<void> {
+  /** Resolves when everything is written, or could not be. What has failed is tried again. */
+  async flush(force = this.#state.kind === 'failed'): Promise<void> {
     await this.#write(force);
     await this.#writing;
   }
@@ -120,10 +132,8 @@ export class Autosave {
   /** False if what has not been written yet would be lost should the page end now. */
   flushNow(): boolean {
     const { document } = this.#options.store;
-    if (this.#timer === undefined) return this.#state.kind !== 'failed';
-    if (!isHashed(document)) return false;
-    void this.#write();
-    return this.#state.kind !== 'failed';
+    if (this.#timer !== undefined && isHashed(document)) void this.#write();
+    return this.#timer === undefined && !this.#atRisk && this.#state.kind !== 'failed';
   }
 
   #schedule(): void {
@@ -147,7 +157,13 @@ export class Autosave {
     }
     // Without this test the write would begin too late for a page that ends.
     if (!isHashed(document)) {
-      await hashAssets(document);
+      this.#atRisk = true;
+      try {
+        await hashAssets(document);
+      } catch (error) {
+        this.#failed(error, this.#kept);
+        return;
+      }
       if (this.#options.store.document !== document) {
         this.#schedule();
         return this.#write(force);
@@ -160,16 +176,20 @@ export class Autosave {
     const before = this.#written;
     const first = this.#kept === null;
     try {
-      const { kept, done } = storage.write(
+      const { kept, done, atOnce } = storage.write(
         { ...(this.#kept ?? newlyKept(document, this.#address)), ...(this.#file && { file: this.#file }) },
         document,
         before,
       );
+      this.#atRisk = !atOnce;
       this.#kept = kept;
       this.#written = document;
       if (first) this.#options.onFirstKept(kept);
       this.#writing = done.then(
-        () => this.#succeeded(storage, kept, first ? this.#opened : before, first),
+        () => {
+          if (this.#written === document) this.#atRisk = false;
+          return this.#succeeded(storage, kept, first ? this.#opened : before, first);
+        },
         (error: unknown) => this.#failed(error, kept),
       );
     } catch (error) {
@@ -188,11 +208,8 @@ export class Autosave {
     if (this.#timer === undefined) this.#tell({ kind: 'kept', time: kept.modified });
     if (before === null || Date.now() - this.#lastVersion < VERSION_MS) return;
     this.#lastVersion = Date.now();
-    try {
-      await storage.addVersion(kept.id, before, first ? AS_OPENED : null);
-    } catch (error) {
-      this.#failed(error, kept);
-    }
+    // The document itself is kept: the next one will be tried with the next edit after another ten minutes.
+    await storage.addVersion(kept.id, before, first ? AS_OPENED : null).catch(this.#options.onNoVersion);
   }
 
   #failed(error: unknown, kept: KeptDocument | null): void {

@@ -23,7 +23,8 @@ export const stores = {
 
 export type StoreName = keyof typeof stores;
 
-export function openDatabase(): Promise<IDBDatabase> {
+/** `onLost` is told when the browser has closed it: a person has cleared what pages keep. */
+export function openDatabase(onLost: () => void): Promise<IDBDatabase> {
   return new Promise((resolve, reject) => {
     const request = indexedDB.open(NAME, VERSION);
     request.onupgradeneeded = () => {
@@ -33,14 +34,19 @@ export function openDatabase(): Promise<IDBDatabase> {
       for (const name of ['texts', 'changes', 'uses', 'assets', 'thumbnails'] as const)
         database.createObjectStore(stores[name]);
     };
-    request.onerror = () => reject(request.error);
+    request.onerror = () => reject(ofOpening(request.error));
     request.onsuccess = () => {
       // A newer page in another tab may need to change the stores; this one then has to be reloaded.
       request.result.onversionchange = () => request.result.close();
+      request.result.onclose = onLost;
       resolve(request.result);
     };
   });
 }
+
+/** Firefox's private windows say that the state is invalid, as a database does that a newer page has closed: this is not that. */
+const ofOpening = (error: DOMException | null): DOMException | null =>
+  error?.name === 'InvalidStateError' ? new DOMException(error.message, 'NotSupportedError') : error;
 
 export function result<T>(request: IDBRequest<T>): Promise<T> {
   return new Promise((resolve, reject) => {

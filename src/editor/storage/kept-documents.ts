@@ -6,7 +6,8 @@
 import type { Document } from '../../scene/schema.ts';
 import { t } from '../language/language.ts';
 import { applyChange, type Change, changeBetween } from './changes.ts';
-import { completed, openDatabase, result, type StoreName } from './database.ts';
+import { Connection } from './connection.ts';
+import { completed, result, type StoreName } from './database.ts';
 import { bytesOf, hashAssets, putTogether, takeApart } from './stored-document.ts';
 
 export interface KeptDocument {
@@ -46,17 +47,22 @@ const UNDO_MS = 60 * 60_000;
 const LONGEST_ADDRESS = 300;
 
 export class KeptDocuments {
-  readonly #database: IDBDatabase;
+  readonly #connection: Connection;
+  /** Told when all that was kept may have been cleared, once there is room for it again. */
+  onCleared: () => void = () => {};
+  /** Told when a document was loaded that is not as it was kept last, but as it was some time before that. */
+  onDamaged: (name: string, fault: unknown) => void = () => {};
 
-  private constructor(database: IDBDatabase) {
-    this.#database = database;
+  private constructor(connection: Connection) {
+    this.#connection = connection;
+    connection.onOpenedAgain = () => this.onCleared();
   }
 
   /** Rejects where the browser keeps nothing: in some private windows, or when storage is forbidden. */
   static async open(): Promise<KeptDocuments> {
     // Hashes are only to be had where the page cannot have been tampered with on its way.
     if (!crypto.subtle) throw new Error(t('The page was not loaded over https.'));
-    return new KeptDocuments(await openDatabase());
+    return new KeptDocuments(await Connection.open());
   }
 
   /** The last changed first. */
@@ -76,9 +82,29 @@ export class KeptDocuments {
     return versions.sort((a, b) => b.time - a.time);
   }
 
-  async load(kept: KeptDocument): Promise<Document> {
+  /** The document, and what it is to be kept as from now on. */
+  async load(kept: KeptDocument): Promise<{ document: Document; kept: KeptDocument }> {
     const changes: string[] = await result(this.#read('changes').getAll(rangeOf(kept.id)));
-    return this.#readText(kept.id, kept.name, changes);
+    try {
+      return { document: await this.#readText(kept.id, kept.name, changes), kept };
+    } catch (fault) {
+      const document = await this.#readEarlier(kept, changes.length > 0);
+      if (!document) throw fault;
+      this.onDamaged(kept.name, fault);
+      // The next write makes it whole again: as changes that have outgrown their text.
+      return { document, kept: { ...kept, changesSize: Number.POSITIVE_INFINITY } };
+    }
+  }
+
+  /** The text without its changes, or the youngest version: what a damaged record has left of a document. */
+  async #readEarlier(kept: KeptDocument, hasChanges: boolean): Promise<Document | null> {
+    const earlier = (await this.versions(kept.id)).map((version) => () => this.loadVersion(version));
+    if (hasChanges) earlier.unshift(() => this.#readText(kept.id, kept.name, []));
+    for (const read of earlier) {
+      const document = await read().catch(() => null);
+      if (document) return document;
+    }
+    return null;
   }
 
   loadVersion({ id, name }: Version): Promise<Document> {
@@ -96,13 +122,13 @@ export class KeptDocuments {
   /**
    * Writes a document whose assets are hashed already. All of it is asked of the database before this
    * returns, which makes it safe to call while the page is being left. `before` is what was written last;
-   * null writes all of it.
+   * null writes all of it. Not `atOnce`: the page must stay until it is `done`, or the write is taken back.
    */
   write(
     kept: KeptDocument,
     document: Document,
     before: Document | null,
-  ): { kept: KeptDocument; done: Promise<void> } {
+  ): { kept: KeptDocument; done: Promise<void>; atOnce: boolean } {
     const stored = takeApart(document);
     const change = before && changeBetween(takeApart(before), stored);
     const changeText = change ? JSON.stringify(change) : '';
@@ -113,7 +139,7 @@ export class KeptDocuments {
     const names: StoreName[] = ['documents', 'changes'];
     if (merge) names.push('texts');
     if (bytes) names.push('uses', 'assets');
-    const transaction = this.#database.transaction(names, 'readwrite');
+    const transaction = this.#connection.database.transaction(names, 'readwrite');
 
     let next: KeptDocument = { ...kept, name: document.name, modified: Date.now() };
     if (merge) {
@@ -133,26 +159,38 @@ export class KeptDocuments {
     transaction.objectStore('documents').put(next);
     const done = completed(transaction);
     // Otherwise a page that ends now would take the write back. Assets still wait for an answer.
-    if (!bytes?.size) transaction.commit();
-    return { kept: next, done };
+    const atOnce = !bytes?.size;
+    if (atOnce) transaction.commit();
+    return { kept: next, done, atOnce };
   }
 
   /** Without a name it is one of the automatic versions, of which the oldest make way. */
   async addVersion(documentId: string, document: Document, name: string | null): Promise<Version> {
-    await hashAssets(document);
     const version: Version = { id: crypto.randomUUID(), document: documentId, name, time: Date.now() };
-    const transaction = this.#database.transaction(['versions', 'texts', 'uses', 'assets'], 'readwrite');
-    transaction.objectStore('versions').put(version);
-    transaction.objectStore('texts').put(JSON.stringify(takeApart(document)), version.id);
-    putAssets(transaction, version.id, bytesOf(document));
-    await completed(transaction);
+    await this.putVersion(version, document);
     const automatic = (await this.versions(documentId)).filter((other) => other.name === null);
     for (const old of automatic.slice(MOST_AUTOMATIC_VERSIONS)) await this.deleteVersion(old);
     return version;
   }
 
+  /** A version with its document: a new one, or one that was deleted. */
+  async putVersion(version: Version, document: Document): Promise<void> {
+    await hashAssets(document);
+    const transaction = this.#connection.database.transaction(
+      ['versions', 'texts', 'uses', 'assets'],
+      'readwrite',
+    );
+    transaction.objectStore('versions').put(version);
+    transaction.objectStore('texts').put(JSON.stringify(takeApart(document)), version.id);
+    putAssets(transaction, version.id, bytesOf(document));
+    await completed(transaction);
+  }
+
   async deleteVersion({ id }: Version): Promise<void> {
-    const transaction = this.#database.transaction(['versions', 'texts', 'uses', 'assets'], 'readwrite');
+    const transaction = this.#connection.database.transaction(
+      ['versions', 'texts', 'uses', 'assets'],
+      'readwrite',
+    );
     transaction.objectStore('versions').delete(id);
     for (const name of ['texts', 'uses'] as const) transaction.objectStore(name).delete(id);
     dropUnusedAssets(transaction);
@@ -160,7 +198,7 @@ export class KeptDocuments {
   }
 
   async duplicate(kept: KeptDocument, name: string): Promise<KeptDocument> {
-    const document = { ...(await this.load(kept)), name };
+    const document = { ...(await this.load(kept)).document, name };
     const copy = newlyKept(document, null);
     const { kept: written, done } = this.write(copy, document, null);
     await done;
@@ -170,31 +208,25 @@ export class KeptDocuments {
   }
 
   /** Of one that no page has open; the open one is renamed by an edit. */
-  async rename(kept: KeptDocument, name: string): Promise<void> {
+  async rename({ id }: KeptDocument, name: string): Promise<void> {
     const change: Change = { singles: { name } };
     const text = JSON.stringify(change);
-    const transaction = this.#database.transaction(['documents', 'changes'], 'readwrite');
-    transaction.objectStore('changes').put(text, [kept.id, kept.changes]);
-    transaction.objectStore('documents').put({
-      ...kept,
-      name,
-      modified: Date.now(),
-      changes: kept.changes + 1,
-      changesSize: kept.changesSize + text.length,
+    const transaction = this.#connection.database.transaction(['documents', 'changes'], 'readwrite');
+    // As it is now: what the list shows may be older.
+    changeRecord(transaction, id, (kept) => {
+      transaction.objectStore('changes').put(text, [id, kept.changes]);
+      const [changes, changesSize] = [kept.changes + 1, kept.changesSize + text.length];
+      return { ...kept, name, modified: Date.now(), changes, changesSize };
     });
     await completed(transaction);
   }
 
   /** Out of the list; `false` brings it back, until it is purged. */
   async setDeleted({ id }: KeptDocument, deleted: boolean): Promise<void> {
-    const transaction = this.#database.transaction('documents', 'readwrite');
-    const documents = transaction.objectStore('documents');
-    const request: IDBRequest<KeptDocument | undefined> = documents.get(id);
-    request.onsuccess = () => {
-      if (!request.result) return;
-      const { deleted: _, ...rest } = request.result;
-      documents.put(deleted ? { ...rest, deleted: Date.now() } : rest);
-    };
+    const transaction = this.#connection.database.transaction('documents', 'readwrite');
+    changeRecord(transaction, id, ({ deleted: _, ...kept }) =>
+      deleted ? { ...kept, deleted: Date.now() } : kept,
+    );
     await completed(transaction);
   }
 
@@ -208,7 +240,7 @@ export class KeptDocuments {
     );
     for (const kept of gone) {
       const versions = await this.versions(kept.id);
-      const transaction = this.#database.transaction(
+      const transaction = this.#connection.database.transaction(
         ['documents', 'versions', 'texts', 'changes', 'uses', 'assets', 'thumbnails'],
         'readwrite',
       );
@@ -220,7 +252,7 @@ export class KeptDocuments {
       await completed(transaction);
     }
     // Also what documents have lost by edits: undo may have needed it until now.
-    const transaction = this.#database.transaction(['uses', 'assets'], 'readwrite');
+    const transaction = this.#connection.database.transaction(['uses', 'assets'], 'readwrite');
     dropUnusedAssets(transaction);
     await completed(transaction);
   }
@@ -230,13 +262,13 @@ export class KeptDocuments {
   }
 
   async setThumbnail(id: string, picture: Blob): Promise<void> {
-    const transaction = this.#database.transaction('thumbnails', 'readwrite');
+    const transaction = this.#connection.database.transaction('thumbnails', 'readwrite');
     transaction.objectStore('thumbnails').put(picture, id);
     await completed(transaction);
   }
 
   #read(name: StoreName): IDBObjectStore {
-    return this.#database.transaction(name).objectStore(name);
+    return this.#connection.database.transaction(name).objectStore(name);
   }
 
   #all<T>(name: StoreName): Promise<T[]> {
@@ -257,6 +289,18 @@ export function newlyKept(document: Document, address: string | null): KeptDocum
     assetsSize: 0,
     // A link is as long as its document, and would be written with every change.
     address: address !== null && address.length <= LONGEST_ADDRESS ? address : null,
+  };
+}
+
+function changeRecord(
+  transaction: IDBTransaction,
+  id: string,
+  change: (kept: KeptDocument) => KeptDocument,
+): void {
+  const documents = transaction.objectStore('documents');
+  const request: IDBRequest<KeptDocument | undefined> = documents.get(id);
+  request.onsuccess = () => {
+    if (request.result) documents.put(change(request.result));
   };
 }
 

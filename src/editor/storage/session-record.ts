@@ -2,6 +2,8 @@
  * What one tab remembers of itself, for when it is reloaded or comes back after a crash; and which tab has
  * which document open, so that two never write the same one.
  */
+
+import { t } from '../language/language.ts';
 import type { EntityKind, Selection } from '../state.ts';
 
 export interface SessionRecord {
@@ -59,6 +61,17 @@ export function hold(id: string): Promise<(() => void) | null> {
       })
       .catch(reject);
   });
+}
+
+/** Does something to a document that no tab has open, nor can open meanwhile. */
+export async function whileHeld(id: string, what: () => Promise<void>): Promise<void> {
+  const release = await hold(id);
+  if (!release) throw new Error(t('Another tab has it open.'));
+  try {
+    await what();
+  } finally {
+    release();
+  }
 }
 
 /** The documents that some tab, this one too, has open. */

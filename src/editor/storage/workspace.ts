@@ -7,15 +7,19 @@ import type { DocumentStore } from '../../scene/store.ts';
 import { language, t } from '../language/language.ts';
 import type { EditorStateStore } from '../state.ts';
 import { confirm } from '../ui/confirm.ts';
-import { toast, toastError } from '../ui/toast.ts';
+import { messageOf, toast, toastError } from '../ui/toast.ts';
 import { trackUnsaved, type Unsaved } from '../unsaved.ts';
 import { AS_OPENED, Autosave, type KeepState } from './autosave.ts';
 import { explainFailure } from './failure.ts';
 import { type KeptDocument, KeptDocuments, type Version } from './kept-documents.ts';
-import { hold, readSession, type SessionRecord, writeSession } from './session-record.ts';
+import { hold, readSession, type SessionRecord, whileHeld, writeSession } from './session-record.ts';
 import { type TakePicture, Thumbnails } from './thumbnails.ts';
 
 const PURGE_AFTER_MS = 10_000;
+/** A database that has not answered by then does not hold up the page, */
+const PATIENCE_MS = 4000;
+/** counted in such pieces: one that answers while the page itself is busy is not late. */
+const PATIENCE_TICK_MS = 250;
 
 export interface WorkspaceOptions {
   readonly store: DocumentStore;
@@ -42,6 +46,7 @@ export class Workspace {
       store,
       onState: (keepState) => this.#onState(keepState),
       onFirstKept: (kept) => void this.#hold(kept.id),
+      onNoVersion: (error) => toast('error', t('The version was not kept'), explainFailure(error)),
     });
     this.#unsaved = trackUnsaved(store, () => this.#autosave.flushNow());
     window.addEventListener('pagehide', () => this.#remember());
@@ -86,12 +91,7 @@ export class Workspace {
   /** The document of the page's first frame: the one that this tab had, or the last one, or the address's. */
   async start(addressed: () => Promise<Document>): Promise<void> {
     const address = location.search + location.hash;
-    try {
-      this.#storage = await KeptDocuments.open();
-      this.#autosave.use(this.#storage);
-    } catch (error) {
-      this.#autosave.use(null, error);
-    }
+    await this.#openStorage();
     const session = readSession();
     const same = session?.address === address ? session : null;
     // After the first frame, in whose way it would be.
@@ -99,6 +99,21 @@ export class Workspace {
     if (await this.#recover(address, same, addressed)) return;
     await this.#openAddressed(address, addressed);
     if (!same && address !== '') await this.#offerEarlierWork(address);
+  }
+
+  async #openStorage(): Promise<void> {
+    const opening = KeptDocuments.open().then((storage) => {
+      storage.onCleared = () => this.#autosave.cleared();
+      storage.onDamaged = tellDamage;
+      this.#storage = storage;
+      this.#autosave.use(storage);
+    });
+    const late = async (): Promise<never> => {
+      for (let waited = 0; waited < PATIENCE_MS; waited += PATIENCE_TICK_MS)
+        await new Promise((resolve) => setTimeout(resolve, PATIENCE_TICK_MS));
+      throw new Error(t('The browser’s database does not answer.'));
+    };
+    await Promise.race([opening, late()]).catch((error: unknown) => this.#autosave.use(null, error));
   }
 
   async #openAddressed(address: string, addressed: () => Promise<Document>): Promise<void> {
@@ -124,7 +139,7 @@ export class Workspace {
       const id = session ? session.document : address === '' ? (await storage.list())[0]?.id : null;
       const kept = id ? await storage.find(id) : undefined;
       if (!kept || !(await this.#hold(kept.id))) return false;
-      await this.#openStored(storage, kept);
+      this.#openLoaded(await loaded(storage, kept));
       const selection = session?.selection ?? null;
       if (selection && selection.id in this.#store.document[selection.kind]) this.#state.select(selection);
       const discard = async () => {
@@ -161,12 +176,10 @@ export class Workspace {
     );
   }
 
-  async #openStored(storage: KeptDocuments, kept: KeptDocument): Promise<void> {
-    const document = await storage.load(kept);
-    const [last] = await storage.versions(kept.id);
+  #openLoaded({ document, kept, lastVersion }: Loaded): void {
     this.#state.select(null);
     this.#store.open(document);
-    this.#autosave.opened(document, kept, kept.address, last?.time);
+    this.#autosave.opened(document, kept, kept.address, lastVersion);
     this.#remember();
   }
 
@@ -198,7 +211,7 @@ export class Workspace {
     try {
       const release = await hold(kept.id);
       if (!release) {
-        const document = await storage.load(kept);
+        const { document } = await storage.load(kept);
         const opened = await this.replace(
           { ...document, name: t('{name} copy', { name: document.name.slice(0, 195) }) },
           null,
@@ -211,13 +224,18 @@ export class Workspace {
           );
         return opened;
       }
+      // Before the present one is left: it can be worked on until then.
+      const next = await loaded(storage, kept).catch((error: unknown) => {
+        release();
+        throw error;
+      });
       const leave = await this.#leave();
       if (!leave) {
         release();
         return false;
       }
       this.#release = release;
-      await this.#openStored(storage, kept);
+      this.#openLoaded(next);
       history.replaceState(null, '', './');
       this.#remember();
       leave();
@@ -252,9 +270,10 @@ export class Workspace {
     const storage = this.#storage;
     if (!storage) return;
     const open = kept.id === this.kept?.id;
-    if (open) await this.#autosave.flush();
-    await storage.setDeleted(kept, true);
-    if (open) {
+    if (!open) await whileHeld(kept.id, () => storage.setDeleted(kept, true));
+    else {
+      await this.#autosave.flush();
+      await storage.setDeleted(kept, true);
       this.#letGo();
       this.#autosave.opened(this.#store.document, null, '');
       await next();
@@ -340,6 +359,7 @@ export class Workspace {
   #onState(keepState: KeepState): void {
     for (const listener of [...this.#listeners]) listener(keepState);
     if (keepState.kind === 'kept') {
+      if (this.#warned) toast('success', t('This document is being kept again'));
       this.#warned = false;
       this.#thumbnails.later(this.#storage, this.kept);
     }
@@ -347,6 +367,28 @@ export class Workspace {
     this.#warned = true;
     toast('error', t('This document is not being kept'), explainFailure(keepState.error));
   }
+}
+
+interface Loaded {
+  readonly document: Document;
+  readonly kept: KeptDocument;
+  /** When the youngest of its versions was kept. */
+  readonly lastVersion: number | undefined;
+}
+
+async function loaded(storage: KeptDocuments, wanted: KeptDocument): Promise<Loaded> {
+  const { document, kept } = await storage.load(wanted);
+  return { document, kept, lastVersion: (await storage.versions(kept.id))[0]?.time };
+}
+
+function tellDamage(name: string, fault: unknown): void {
+  toast(
+    'error',
+    t('“{name}” is not as you left it', { name }),
+    t('A part of what this browser kept is damaged; this is an earlier state of it. {reason}', {
+      reason: messageOf(fault),
+    }),
+  );
 }
 
 /** `at 10:32`, or `on 12 May, 10:32`. */

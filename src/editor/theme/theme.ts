@@ -44,6 +44,8 @@ export function computedColor(color: string): string {
     if (!probe) {
       probe = document.createElement('span');
       probe.hidden = true;
+      // A canvas has the page's own colours, also where a person has chosen colours for all texts.
+      probe.style.forcedColorAdjust = 'none';
       document.body.append(probe);
     }
     probe.style.color = color;

@@ -8,12 +8,18 @@ export interface Answered<Answer> {
   readonly transfer?: Transferable[];
 }
 
+/** What a thread is told beside its questions, for others that listen. */
+interface Told {
+  readonly kind: string;
+}
+
 export function answerQuestions<Question, Answer>(
   answerTo: (question: Question) => Promise<Answered<Answer>> | Answered<Answer>,
 ): void {
   const post = (message: FromThread<Answer>, transfer: Transferable[] = []) =>
     self.postMessage(message, { transfer });
-  self.addEventListener('message', async ({ data }: MessageEvent<ToThread<Question>>) => {
+  self.addEventListener('message', async ({ data }: MessageEvent<ToThread<Question> | Told>) => {
+    if (!('question' in data)) return;
     const { ticket, question } = data;
     try {
       const { answer, transfer } = await answerTo(question);

@@ -22,16 +22,28 @@ export function ignoreEnd(error: unknown): void {
 /** What it remembers takes memory. */
 const IDLE_MS = 20_000;
 
+export interface ThreadOptions {
+  /** What it works for, which its failures tell. */
+  readonly name?: string;
+  /** A worker that is there already, and serves until it ends. */
+  readonly running?: ThreadWorker;
+}
+
 export class Thread<Question, Answer> {
   readonly #spawn: () => ThreadWorker;
+  readonly #name: string | null;
   readonly #waiting = new Map<number, { resolve(answer: Answer): void; reject(error: Error): void }>();
   #worker: ThreadWorker | null = null;
   #ticket = 0;
   #life = 0;
   #idle: ReturnType<typeof setTimeout> | undefined;
 
-  constructor(spawn: () => ThreadWorker) {
+  constructor(spawn: () => ThreadWorker, { name, running }: ThreadOptions = {}) {
     this.#spawn = spawn;
+    this.#name = name ?? null;
+    if (!running) return;
+    this.#use(running);
+    this.#rest();
   }
 
   /** Another number whenever another thread is at work, which knows nothing of what this one was told. */
@@ -41,7 +53,7 @@ export class Thread<Question, Answer> {
 
   /** Fails with what is wrong, and with ThreadEnded if the thread ends. */
   ask(question: Question, transfer: Transferable[] = []): Promise<Answer> {
-    const worker = this.#worker ?? this.#start();
+    const worker = this.#worker ?? this.#use(this.#spawn());
     clearTimeout(this.#idle);
     const ticket = ++this.#ticket;
     return new Promise((resolve, reject) => {
@@ -61,19 +73,29 @@ export class Thread<Question, Answer> {
     for (const { reject } of waiting) reject(error);
   }
 
-  #start(): ThreadWorker {
-    const worker = this.#spawn();
+  #use(worker: ThreadWorker): ThreadWorker {
     this.#worker = worker;
     worker.addEventListener('message', ({ data }: MessageEvent<FromThread<Answer>>) => {
       const waiting = this.#waiting.get(data.ticket);
       this.#waiting.delete(data.ticket);
-      if (this.#waiting.size === 0) this.#idle = setTimeout(() => this.end(), IDLE_MS);
+      if (this.#waiting.size === 0) this.#rest();
       if ('refusal' in data) waiting?.reject(new Error(data.refusal));
       else waiting?.resolve(data.answer);
     });
     worker.addEventListener('error', (event) => {
-      if (this.#worker === worker) this.end(new Error(event.message || 'A thread of the page ended.'));
+      if (this.#worker !== worker) return;
+      const { message } = event;
+      const fault =
+        this.#name === null
+          ? message || 'A thread of the page ended.'
+          : `${this.#name}: ${message || 'its thread ended'}`;
+      this.end(new Error(fault));
     });
     return worker;
+  }
+
+  #rest(): void {
+    clearTimeout(this.#idle);
+    this.#idle = setTimeout(() => this.end(), IDLE_MS);
   }
 }

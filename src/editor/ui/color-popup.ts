@@ -159,5 +159,7 @@ export function openColorPopup(options: ColorPopupOptions): { show(linear: Rgb):
   );
   openPopup({ anchor: options.anchor, content, label: options.label, onClose: options.onClose });
   paint();
+  // Its arrows are at hand at once.
+  square.focus({ preventScroll: true });
   return { show };
 }

@@ -40,6 +40,16 @@ export function append(parent: Node, children: readonly Child[]): void {
   }
 }
 
+/** Makes these the children. What stays in its place is not touched: an element that is taken out loses focus and drag. */
+export function arrange(parent: Element, children: readonly Element[]): void {
+  const wanted = new Set(children);
+  for (const child of [...parent.children]) if (!wanted.has(child)) child.remove();
+  for (const [place, child] of children.entries()) {
+    const there = parent.children[place] ?? null;
+    if (there !== child) parent.insertBefore(child, there);
+  }
+}
+
 /** True while the person types: shortcuts must not fire then. */
 export function isTextEntry(target: EventTarget | null): boolean {
   if (!(target instanceof HTMLElement)) return false;

@@ -11,3 +11,16 @@ export function newGesture(): string {
   count += 1;
   return `gesture-${count}`;
 }
+
+const CANCELLED = 'irradia-gesture-cancelled';
+
+/** Escape: what the gesture has changed is to be taken back. Its field tells; who has the document listens. */
+export function cancelGesture(field: HTMLElement, gesture: string): void {
+  field.dispatchEvent(new CustomEvent(CANCELLED, { bubbles: true, detail: gesture }));
+}
+
+export function onCancelledGesture(takeBack: (gesture: string) => void): void {
+  document.addEventListener(CANCELLED, (event) => {
+    if (event instanceof CustomEvent && typeof event.detail === 'string') takeBack(event.detail);
+  });
+}

@@ -13,6 +13,8 @@ export function installLongPress(): void {
   document.addEventListener('pointerdown', (event) => {
     end();
     if (event.pointerType !== 'touch' || !event.isPrimary) return;
+    // A finger that rests on what can be dragged holds it (touch-drag.ts).
+    if (event.target instanceof Element && event.target.closest('[draggable="true"]')) return;
     from = event;
     timer = window.setTimeout(() => {
       const { target, clientX, clientY } = event;

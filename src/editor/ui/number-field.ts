@@ -1,10 +1,10 @@
 /**
  * A number in a box: type a value or an expression, use the arrow keys, or drag sideways over the
- * box to scrub (Shift: finer). Limits here are hard ones; a soft range belongs to the slider.
+ * box to scrub (Shift: finer, Ctrl: coarser, Escape: as it was). Limits here are hard ones; a soft range belongs to the slider.
  */
 import { h } from './dom.ts';
 import { evaluateExpression, formatNumber, roundTo } from './expression.ts';
-import { type Gesture, newGesture } from './gesture.ts';
+import { cancelGesture, type Gesture, newGesture } from './gesture.ts';
 
 export interface NumberFieldOptions {
   min?: number | undefined;
@@ -106,17 +106,26 @@ export function numberField(options: NumberFieldOptions): NumberField {
       if (gesture === undefined && Math.abs(event.clientX - down.clientX) < SCRUB_THRESHOLD_PX) return;
       gesture ??= newGesture();
       element.classList.add('scrubbing');
-      travelled += (event.clientX - lastX) * (event.shiftKey ? 0.1 : 1);
+      const coarse = event.ctrlKey || event.metaKey;
+      travelled += (event.clientX - lastX) * (event.shiftKey ? 0.1 : coarse ? 10 : 1);
       lastX = event.clientX;
       change(roundTo(start + (travelled / PX_PER_STEP) * step, step / 10), gesture);
     };
+    const giveUp = (event: KeyboardEvent) => {
+      if (event.key !== 'Escape' || gesture === undefined) return;
+      event.stopPropagation();
+      cancelGesture(element, gesture);
+      end();
+    };
     const end = () => {
+      window.removeEventListener('keydown', giveUp, true);
       input.removeEventListener('pointermove', move);
       input.removeEventListener('pointerup', end);
       input.removeEventListener('pointercancel', end);
       element.classList.remove('scrubbing');
       if (gesture === undefined) input.focus();
     };
+    window.addEventListener('keydown', giveUp, true);
     input.addEventListener('pointermove', move);
     input.addEventListener('pointerup', end);
     input.addEventListener('pointercancel', end);

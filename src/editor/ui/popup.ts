@@ -26,6 +26,9 @@ export function openPopup(options: PopupOptions): () => void {
   );
   // Nothing outside an open dialog can be reached.
   (anchor.closest('dialog') ?? document.body).append(popup);
+  // What it shows may come later than itself.
+  const sized = new ResizeObserver(() => place(popup, anchor));
+  sized.observe(popup);
   place(popup, anchor);
   popup.focus({ preventScroll: true });
   keepTabWithin(popup);
@@ -36,6 +39,7 @@ export function openPopup(options: PopupOptions): () => void {
     document.removeEventListener('pointerdown', outside, true);
     document.removeEventListener('keydown', onEscape, true);
     const hadFocus = popup.contains(document.activeElement);
+    sized.disconnect();
     popup.remove();
     options.onClose?.();
     if (hadFocus) anchor.focus({ preventScroll: true });

@@ -7,7 +7,7 @@
 import { t } from '../language/language.ts';
 import { h } from './dom.ts';
 import { formatNumber, roundTo } from './expression.ts';
-import { type Gesture, newGesture } from './gesture.ts';
+import { cancelGesture, type Gesture, newGesture } from './gesture.ts';
 import { numberField } from './number-field.ts';
 
 export interface SliderFieldOptions {
@@ -49,6 +49,9 @@ export function sliderField(options: SliderFieldOptions): SliderField {
   };
 
   let gesture: Gesture;
+  /** Escape has given the drag up, and the pointer is still down. */
+  let givenUp = false;
+  let shown = min;
   const range = h('input', { type: 'range', min: 0, max: TICKS, step: 1, 'aria-label': options.label });
   const number = numberField({
     label: t('{label}, number', { label: options.label }),
@@ -74,8 +77,13 @@ export function sliderField(options: SliderFieldOptions): SliderField {
   };
   range.addEventListener('pointerdown', () => {
     gesture = newGesture();
+    givenUp = false;
   });
   range.addEventListener('input', () => {
+    if (givenUp) {
+      paint(shown);
+      return;
+    }
     gesture ??= newGesture();
     const value = toValue(Number(range.value));
     range.style.setProperty('--fill', String(Number(range.value) / TICKS));
@@ -86,9 +94,18 @@ export function sliderField(options: SliderFieldOptions): SliderField {
   });
   range.addEventListener('change', () => {
     gesture = undefined;
+    givenUp = false;
   });
   // The browser's own steps are the track's positions, far too fine for a key.
   range.addEventListener('keydown', (event) => {
+    if (event.key === 'Escape' && gesture !== undefined) {
+      event.stopPropagation();
+      const drag = gesture;
+      gesture = undefined;
+      givenUp = true;
+      cancelGesture(range, drag);
+      return;
+    }
     const direction = KEYS[event.key];
     if (!direction) return;
     event.preventDefault();
@@ -103,6 +120,7 @@ export function sliderField(options: SliderFieldOptions): SliderField {
   return {
     element: h('div', { class: 'slider' }, range, number.element),
     show(value) {
+      shown = value;
       number.show(value);
       if (gesture === undefined) paint(value);
     },

@@ -12,6 +12,8 @@ export interface EnvironmentDragOptions {
   readonly element: HTMLElement;
   readonly canvas: HTMLCanvasElement;
   readonly session: Session;
+  /** Somebody else has a use for the drag. */
+  isTaken(event: PointerEvent): boolean;
   /** While the environment is dragged, the camera is not. */
   holdCamera(held: boolean): void;
 }
@@ -26,6 +28,7 @@ export function installEnvironmentDrag({
   element,
   canvas,
   session,
+  isTaken,
   holdCamera,
 }: EnvironmentDragOptions): void {
   const { store } = session;
@@ -39,6 +42,7 @@ export function installEnvironmentDrag({
     const isLamp = benchOpen && bench.lightInStep;
     if (!start.altKey || start.button !== 0 || start.target !== canvas || isLamp || source.type === 'none')
       return;
+    if (isTaken(start)) return;
     const gesture = newGesture();
     let isDrag = false;
     holdCamera(true);

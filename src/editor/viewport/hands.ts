@@ -6,7 +6,7 @@ import type { Session } from '../session.ts';
 import type { CameraControl, CameraStep } from './camera.ts';
 import { FocusPicking } from './focus-picking.ts';
 import { Gizmo } from './gizmo/gizmo.ts';
-import { pageMeshes } from './meshes/meshes.ts';
+import { Menus } from './menus.ts';
 import { type AxesGizmo, createAxesGizmo } from './navigation/axes-gizmo.ts';
 import { boundsOf } from './navigation/bounds.ts';
 import {
@@ -16,11 +16,10 @@ import {
   type ViewAxes,
   viewAxes,
 } from './navigation/view-axes.ts';
-import { Outlines } from './outline/outlines.ts';
 import { createOverlay, type Overlay } from './overlay.ts';
 import { dropSelection, nudgeSelection } from './placing/drop.ts';
 import { BoxDrag } from './selecting/box-drag.ts';
-import { clickAt, installClicks } from './selecting/click.ts';
+import { clickAt, installClicks, pickFirst } from './selecting/click.ts';
 import { createToolbar } from './toolbar.ts';
 
 export interface HandsOptions {
@@ -41,18 +40,17 @@ export interface Nudge {
 export class Hands {
   readonly #options: HandsOptions;
   readonly #overlay: Overlay;
-  readonly #outlines: Outlines;
   readonly #gizmo: Gizmo;
   readonly #box: BoxDrag;
   readonly #axes: AxesGizmo;
   readonly #focusPicking: FocusPicking;
+  readonly #menus: Menus;
   #scheduled = false;
 
   constructor(options: HandsOptions) {
     const { element, canvas, session, mirror, camera } = options;
     this.#options = options;
     this.#overlay = createOverlay();
-    this.#outlines = new Outlines(mirror, pageMeshes, () => this.#schedule());
     this.#focusPicking = new FocusPicking({ canvas, mirror, session });
     const picking = { canvas, mirror, session, overlay: this.#overlay, focusPicking: this.#focusPicking };
     const dragging = {
@@ -66,7 +64,9 @@ export class Hands {
     this.#gizmo = new Gizmo(dragging);
     this.#box = new BoxDrag(dragging);
     installClicks(picking, () => this.focusSelection());
+    this.#menus = new Menus({ ...options, pick: (event, use) => pickFirst(picking, event, use) });
     this.#axes = createAxesGizmo((direction) => this.look(direction));
+    element.addEventListener('pointermove', (event) => this.#passOn(event), { capture: true });
     element.append(this.#overlay.element, this.#axes.element, createToolbar(session));
     session.state.subscribe((now, before) => {
       if (now.selected !== before.selected) this.#schedule();
@@ -87,12 +87,20 @@ export class Hands {
       document: session.store.document,
       camera: mirror.camera,
       selected,
-      outline: (context, width, height) => this.#outlines.draw(context, selected, width, height),
       tools: (context) => {
         this.#gizmo.draw(context);
         this.#box.draw(context);
       },
     });
+  }
+
+  /** A handle of the gizmo that lies under the line between two pictures is in front of it. */
+  #passOn(event: PointerEvent): void {
+    const { target, buttons } = event;
+    const { classList } = this.#options.element;
+    const isOnLine = target instanceof Element && target.closest('.split-line') !== null;
+    if (buttons === 0 && (isOnLine || classList.contains('on-handle')))
+      classList.toggle('on-handle', this.isOnHandle(event));
   }
 
   #schedule(): void {
@@ -158,6 +166,26 @@ export class Hands {
       .fromArray(position)
       .sub(this.#camera.position.clone().fromArray(target))
       .normalize();
+  }
+
+  /** Whether the pointer is on a handle of the gizmo. */
+  isOnHandle(event: PointerEvent): boolean {
+    return this.#gizmo.isAt(event);
+  }
+
+  /** What is selected follows the pointer, or what is typed, with the tool that is chosen. */
+  grab(): void {
+    this.#gizmo.grab();
+  }
+
+  /** What can be added, in a menu at the pointer. */
+  openAddMenu(): void {
+    this.#menus.openAdd();
+  }
+
+  /** How what is selected can be aligned, in a menu at the pointer. */
+  openAlignMenu(): void {
+    this.#menus.openAlign();
   }
 
   nudge({ along, by }: Nudge): void {

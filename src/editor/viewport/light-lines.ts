@@ -1,4 +1,4 @@
-/** The lines that show how a light stands in the scene, and the corners that mark a selection. */
+/** The lines that show how a light stands in the scene, and the corners that mark what is aimed at. */
 import { type Box3, type Matrix4, Vector3 } from 'three/webgpu';
 import type { Light } from '../../scene/schema.ts';
 import type { Point } from './projector.ts';

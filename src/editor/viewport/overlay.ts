@@ -1,22 +1,19 @@
 /**
- * What is drawn over the picture: where the lights are and shine, and what is selected. A 2D canvas
+ * What is drawn over the picture: where the lights are and shine, and the tools of hands. A 2D canvas
  * of its own, so that it is crisp at any resolution scale, is not tone mapped, is not in screenshots
- * and costs the renderer nothing.
+ * and costs the renderer nothing. What is selected has its outlines in the picture's canvas: outlines.ts.
  */
 import type { PerspectiveCamera } from 'three/webgpu';
 import type { Document, Light } from '../../scene/schema.ts';
 import type { Entity } from '../state.ts';
 import { iconPath } from '../ui/icons.ts';
 import { type Line, lightLines } from './light-lines.ts';
-import type { Marks } from './outline/outlines.ts';
-import { createProjector, type Point, type Projector } from './projector.ts';
+import { createProjector, type Projector } from './projector.ts';
 
 export interface OverlayInput {
   document: Document;
   camera: PerspectiveCamera;
   selected: readonly Entity[];
-  /** Around what is selected; returns what else marks it. */
-  outline(context: CanvasRenderingContext2D, width: number, height: number): Marks;
   /** Over all the rest. */
   tools(context: CanvasRenderingContext2D): void;
 }
@@ -66,9 +63,6 @@ export function createOverlay(): Overlay {
       context.setTransform(ratio, 0, 0, ratio, 0, 0);
       context.clearRect(0, 0, width, height);
       const projector = createProjector(input.camera, width, height);
-      const { corners, places } = input.outline(context, width, height);
-      drawLines(context, projector, corners, ACCENT, 1.5);
-      drawPlaces(context, projector, places);
       const colors = new Map(
         input.selected.flatMap(({ kind, id }, i, { length }) =>
           kind === 'lights' ? [[id, i === length - 1 ? ACCENT : PALE] as const] : [],
@@ -137,19 +131,6 @@ function drawLines(
   context.strokeStyle = color;
   context.lineWidth = width;
   context.stroke();
-}
-
-function drawPlaces(context: CanvasRenderingContext2D, projector: Projector, places: readonly Point[]): void {
-  for (const [color, size] of [
-    [HALO, 5],
-    [PALE, 3],
-  ] as const) {
-    context.fillStyle = color;
-    for (const place of places) {
-      const at = projector.point(place);
-      if (at) context.fillRect(at.x - size / 2, at.y - size / 2, size, size);
-    }
-  }
 }
 
 function drawSymbol(

@@ -12,17 +12,29 @@ export interface PixelReadingOptions {
 export function installPixelReading(options: PixelReadingOptions, show: ShowView): void {
   const { canvas, renderer, session } = options;
   let reading = false;
-  const read = async ({ clientX, clientY, buttons }: PointerEvent): Promise<void> => {
-    if (reading || buttons !== 0 || session.state.value.rendering !== 'interactive') return;
-    if (session.store.document.view.show === 'picture') return;
-    const box = canvas.getBoundingClientRect();
+  /** Where the pointer is now: while a pixel is read it goes on, and rests where nobody has read yet. */
+  let at: PointerEvent | null = null;
+  const read = async (): Promise<void> => {
+    if (reading) return;
     reading = true;
     try {
-      show.read(await renderer.readPixel((clientX - box.left) / box.width, (clientY - box.top) / box.height));
+      while (at !== null) {
+        const { clientX, clientY, buttons } = at;
+        at = null;
+        if (buttons !== 0 || session.state.value.rendering !== 'interactive') continue;
+        if (session.store.document.view.show === 'picture') continue;
+        const box = canvas.getBoundingClientRect();
+        show.read(
+          await renderer.readPixel((clientX - box.left) / box.width, (clientY - box.top) / box.height),
+        );
+      }
     } finally {
       reading = false;
     }
   };
-  canvas.addEventListener('pointermove', (event) => void read(event));
+  canvas.addEventListener('pointermove', (event) => {
+    at = event;
+    void read();
+  });
   canvas.addEventListener('pointerleave', () => show.read(null));
 }

@@ -169,7 +169,7 @@ function row(color: string, text: string, more = ''): HTMLElement {
 function readingOf(shown: Show, [r, g, b, a]: readonly [number, number, number, number]): string {
   if (shown === 'luminance') return `${nits(0.2126 * r + 0.7152 * g + 0.0722 * b)} nits`;
   if (shown === 'overdraw' || shown === 'lights' || shown === 'cascades') return String(Math.round(r));
-  if (a === 0) return 'nothing';
+  if (a === 0) return t('nothing');
   const digits = (x: number) => (Math.abs(x) < 0.0005 ? 0 : x).toFixed(3);
   if (shown === 'depth') return `${digits(r)} m`;
   if (shown === 'ambientOcclusion') return digits(r);

@@ -1,15 +1,34 @@
 /** The tools for the hand, at the viewport's left edge. */
 import { t } from '../language/language.ts';
 import type { Session } from '../session.ts';
-import type { EditorState } from '../state.ts';
+import { type EditorState, type EditorStateStore, type Steps, stepChoices } from '../state.ts';
 import { h } from '../ui/dom.ts';
 import { type IconName, icon } from '../ui/icons.ts';
+import { type MenuEntry, openMenu } from '../ui/menu.ts';
 
 interface Button {
   readonly action: string;
   readonly icon: IconName;
   readonly tip: string;
   readonly on: (state: EditorState) => boolean;
+}
+
+/** How large the steps of drags are. */
+function openStepsMenu(anchor: HTMLElement, state: EditorStateStore): void {
+  const { steps } = state.value;
+  const part = (name: keyof Steps, heading: string, unit: string): MenuEntry[] => [
+    { heading },
+    ...stepChoices[name].map((size) => ({
+      label: `${size}${unit}`,
+      checked: steps[name] === size,
+      run: () => state.set({ steps: { ...steps, [name]: size } }),
+    })),
+  ];
+  openMenu(anchor, t('Steps'), [
+    ...part('move', t('Move'), ' m'),
+    ...part('rotate', t('Rotate'), '°'),
+    ...part('scale', t('Scale'), ''),
+  ]);
 }
 
 export function createToolbar({ state, actions }: Session): HTMLElement {
@@ -47,7 +66,7 @@ export function createToolbar({ state, actions }: Session): HTMLElement {
       {
         action: 'tool.snap',
         icon: 'magnet',
-        tip: t('In steps of 0.1 m, 15° and 0.1; Ctrl does so, or not, for a moment'),
+        tip: t('In steps; Ctrl does so, or not, for a moment. The right button: how large they are'),
         on: ({ snap }) => snap,
       },
     ],
@@ -66,6 +85,11 @@ export function createToolbar({ state, actions }: Session): HTMLElement {
       icon(name),
     );
     return { action, element, on };
+  });
+  const magnet = buttons.find(({ action }) => action === 'tool.snap')?.element;
+  magnet?.addEventListener('contextmenu', (event) => {
+    event.preventDefault();
+    openStepsMenu(magnet, state);
   });
   const show = () => {
     for (const { element, on } of buttons) element.setAttribute('aria-pressed', String(on(state.value)));

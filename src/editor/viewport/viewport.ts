@@ -2,11 +2,14 @@
  * The viewport: keeps the picture equal to the document. It alone knows the renderer; panels change
  * the document and never ask for a frame.
  */
+
 import type { Companion } from '../../realtime/output-pass.ts';
 import type { RealtimeRenderer, Size } from '../../realtime/renderer.ts';
+import { uploadAhead } from '../../realtime/upload.ts';
 import type { SceneMirror } from '../../scene/mirror.ts';
 import type { Document } from '../../scene/schema.ts';
 import { t } from '../language/language.ts';
+import { nextTask } from '../next-task.ts';
 import type { FrameTimes } from '../panels/status/frame-times.ts';
 import type { RenderFigures } from '../panels/status/status.ts';
 import type { ImagePair } from '../path-tracing/difference.ts';
@@ -16,6 +19,7 @@ import type { Session } from '../session.ts';
 import type { EditorState } from '../state.ts';
 import { h } from '../ui/dom.ts';
 import { toastError } from '../ui/toast.ts';
+import { AwaitedFrames } from './awaited-frames.ts';
 import { type CameraControl, createCameraControl } from './camera.ts';
 import { installEnvironmentDrag } from './environment-drag.ts';
 import { FrameLoop } from './frame-loop.ts';
@@ -23,8 +27,10 @@ import { gpuFinished } from './gpu-finish.ts';
 import { Hands } from './hands.ts';
 import { leastFrameTime } from './measure-frame.ts';
 import { MovingResolution } from './moving-resolution.ts';
+import { Outlines } from './outlines.ts';
 import { middleOf, pngOf, readPair, shownPixels, tracedPng } from './pictures.ts';
 import { installPixelReading } from './pixel-reading.ts';
+import { Readiness } from './readiness.ts';
 import { createShowView, type ShowView } from './show.ts';
 import { countScene, type SceneCounts } from './statistics.ts';
 
@@ -57,15 +63,19 @@ export class Viewport {
   readonly tracing: PathTracing;
   readonly #tracingView: PathTracingView;
   readonly #show: ShowView;
+  readonly #outlines: Outlines;
   /** The scene or its place on the screen has changed since it was drawn. */
   #stale = true;
   #counts: SceneCounts = { vertices: 0, triangles: 0 };
-  #framesLeftToWait: (() => void)[] = [];
+  readonly #awaited = new AwaitedFrames();
   readonly #resolution = new MovingResolution(() => this.#redraw(false));
   /** When the GPU had finished the last frame. */
   #finishedAt = 0;
   /** Something is being made ready that a frame would undo. */
-  #held = false;
+  #held = 0;
+  /** A frame waits for what it needs. */
+  #isWaiting = false;
+  readonly #readiness: Readiness;
   #beside: Beside | null = null;
 
   constructor(options: ViewportOptions) {
@@ -77,8 +87,23 @@ export class Viewport {
       onFrame: (at, ms) => times.add(at, ms),
       onError: (error) => {
         this.#loop.stop();
+        this.#awaited.fail(error);
         toastError(t('The picture could not be drawn'), error);
       },
+    });
+    this.#readiness = new Readiness({
+      scene: mirror.scene,
+      drawn: () => options.renderer.drawn(mirror.scene),
+      compile: async (meshes) => {
+        await uploadAhead(options.renderer.three, meshes, nextTask);
+        await options.renderer.compile(mirror, session.store.document, this.#sizes().size, meshes);
+      },
+      waits: () => {
+        if (session.store.document.view.show !== 'picture') return 'no';
+        // At the page's start pieces take longer.
+        return this.#finishedAt > 0 ? 'yes' : 'not yet';
+      },
+      onLate: () => this.#redraw(false),
     });
     this.tracing = new PathTracing({
       session,
@@ -88,14 +113,27 @@ export class Viewport {
     this.#camera = createCameraControl(mirror.camera, canvas, session.store, () => this.#redraw());
     this.#camera.follow(session.store.document);
     this.#showAlpha(session.store.document);
+    this.#outlines = new Outlines(options);
     this.hands = new Hands({ element, canvas, session, mirror, camera: this.#camera });
-    installEnvironmentDrag({ element, canvas, session, holdCamera: (held) => this.#camera.hold(held) });
-    this.#tracingView = createPathTracingView(session, this.tracing, () => this.#readPair());
+    installEnvironmentDrag({
+      ...{ element, canvas, session },
+      isTaken: (event) => this.hands.isOnHandle(event),
+      holdCamera: (held) => this.#camera.hold(held),
+    });
+    this.#tracingView = createPathTracingView(
+      session,
+      this.tracing,
+      () => this.#readPair(),
+      () => this.#loop.request(),
+    );
     this.#show = createShowView(session);
     canvas.after(this.#tracingView.element, this.#show.element);
 
     session.store.subscribe(({ document, previous, reason }) => {
-      if (reason === 'open') options.renderer.cut();
+      if (reason === 'open') {
+        options.renderer.cut();
+        mirror.open(document);
+      } else mirror.apply(document);
       this.#follow(document, previous);
     });
     session.state.subscribe((now, before) => {
@@ -106,8 +144,8 @@ export class Viewport {
         this.#redraw(false);
       }
       const uncovered = isCovered(before) && !isCovered(now);
-      if (uncovered || now.rendering !== before.rendering || now.divider !== before.divider)
-        this.#loop.request();
+      const isOther = now.rendering !== before.rendering || now.divider !== before.divider;
+      if (uncovered || isOther || now.selected !== before.selected) this.#loop.request();
     });
     session.gpuTimes.available = options.renderer.times.available;
     this.#followSize(element);
@@ -119,6 +157,7 @@ export class Viewport {
   /** After something came that is not in the document, such as a decoded image. */
   refresh(): void {
     this.#counts = countScene(this.#options.mirror.scene);
+    this.#readiness.grown();
     this.#options.renderer.changed();
     this.#redraw();
   }
@@ -135,44 +174,55 @@ export class Viewport {
     this.#loop.request();
   }
 
-  /** Resolves once a frame that shows the present document is finished. */
+  /** Resolves once a frame that shows the present document is finished; rejects if nothing can be drawn any more. */
   nextFrame(): Promise<void> {
-    return new Promise((resolve) => {
-      this.#framesLeftToWait.push(resolve);
-      this.#loop.request();
-    });
+    this.#loop.request();
+    return this.#awaited.next();
   }
 
   /** Compiles what a document with other effects needs, while the page stays alive and the picture as it is. */
   async prepare(document: Document): Promise<void> {
     const { mirror, renderer } = this.#options;
-    this.#held = true;
+    this.#held += 1;
     try {
-      await renderer.compile(mirror, document, this.#sizes().size);
+      await this.#readiness.follow(renderer.compile(mirror, document, this.#sizes().size));
     } finally {
-      this.#held = false;
+      this.#held -= 1;
       this.#redraw();
     }
   }
 
-  /** What a frame of the present document takes the GPU, in ms: the least of a few. */
-  measureFrame(): Promise<number> {
-    return leastFrameTime(this.#options, this.#sizes().size);
+  /** Resolves when a picture of the present document would have everything in it. */
+  whole(): Promise<void> {
+    return this.#readiness.whole();
   }
 
-  /** The picture as it is shown, without the overlay. */
-  screenshot(): Promise<Blob> {
-    const map = this.#tracingView.differenceCanvas;
-    // A canvas of the GPU may be read only in the task that drew it.
-    if (map === null) this.#submit(true);
-    return pngOf(map ?? this.#options.canvas);
+  /** What a frame of the present document takes the GPU, in ms: the least of a few. */
+  async measureFrame(): Promise<number> {
+    const time = await leastFrameTime(this.#options, this.#sizes().size);
+    this.#loop.request();
+    return time;
+  }
+
+  /** The picture as it is shown, without what is drawn over it. */
+  async screenshot(): Promise<Blob> {
+    await this.whole();
+    const map = this.#tracingView.difference.canvas;
+    if (map !== null) return pngOf(map);
+    // A canvas of the GPU may be read only in the task that drew it, and the screen shows what that leaves there.
+    this.#submit(true);
+    const png = pngOf(this.#options.canvas);
+    this.#outlines.draw();
+    return png;
   }
 
   /** Its middle, in another size, without waiting for the GPU: canvases are read at once. */
   async smallPicture(width: number, height: number): Promise<ImageBitmap> {
-    const map = this.#tracingView.differenceCanvas;
+    await this.whole();
+    const map = this.#tracingView.difference.canvas;
     if (map !== null) return middleOf(map, width, height);
     this.#submit(true);
+    this.#outlines.draw();
     return middleOf(await shownPixels(this.#options), width, height);
   }
 
@@ -183,9 +233,9 @@ export class Viewport {
 
   #follow(document: Document, previous: Document): void {
     const { mirror } = this.#options;
-    mirror.apply(document);
     this.#showAlpha(document);
     if (document.camera !== previous.camera) this.#camera.follow(document);
+    this.#readiness.grown();
     if (document.objects !== previous.objects || document.assets !== previous.assets) this.refresh();
     else this.#redraw();
     const notLong = window.setTimeout(() => {
@@ -226,8 +276,8 @@ export class Viewport {
     return { size, radiance: { width: scaled(size.width), height: scaled(size.height) } };
   }
 
-  /** @param whole with all its pixels, whatever moves */
-  #submit(whole = false): void {
+  /** @param whole with all its pixels, whatever moves @returns whether the scene was drawn, and not its last picture again */
+  #submit(whole = false): boolean {
     const { mirror, renderer, session, onFigures } = this.#options;
     const { document } = session.store;
     const { camera } = document;
@@ -240,11 +290,11 @@ export class Viewport {
     // What is not seen need not be drawn: the machine is the path tracer's.
     const hidden = shown && rendering === 'traced' && !continuous;
     const isSplit = rendering !== 'interactive' || this.#beside !== null;
-    const asBefore = isSplit && !this.#stale && !continuous && !renderer.unsettled;
+    const asBefore = (isSplit || !whole) && !this.#stale && !continuous && !renderer.unsettled;
     if (this.#beside && rendering === 'interactive') renderer.companion = this.#beside.last(divider);
     if (hidden || asBefore) {
       renderer.renderAgain({ ...document, camera: { ...camera, ...this.#camera.pose() } });
-      return;
+      return false;
     }
     const settings = this.#resolution.next(document, whole);
     if (this.#beside && rendering === 'interactive')
@@ -260,10 +310,12 @@ export class Viewport {
       backend: renderer.backend === 'webgpu' ? 'WebGPU' : 'WebGL 2',
       ...this.#counts,
     });
+    return true;
   }
 
   /** Both renderings as the screen would show them; null while there is no path traced one. */
-  #readPair(): Promise<ImagePair | null> {
+  async #readPair(): Promise<ImagePair | null> {
+    await this.whole();
     const { renderer, session, mirror } = this.#options;
     if (this.#stale || this.#resolution.factor < 1) {
       renderer.render(mirror, this.#resolution.next(session.store.document, true), this.#sizes().size);
@@ -273,24 +325,34 @@ export class Viewport {
   }
 
   async #render(): Promise<void> {
-    if (this.#held) return;
-    const waiting = this.#framesLeftToWait;
-    this.#framesLeftToWait = [];
+    // What is held back asks again, and a frame that waits shows what has changed meanwhile.
+    if (this.#held > 0 || this.#isWaiting) return;
+    if (this.#readiness.mayBeUnready) {
+      this.#isWaiting = true;
+      await this.#readiness.ready();
+      this.#isWaiting = false;
+    }
+    if (this.#held > 0) return;
+    const isAwaited = this.#awaited.areAwaited;
     // Nobody sees it: the machine is the plots', unless somebody asked for this very frame.
-    if (isCovered(this.#options.session.state.value) && waiting.length === 0) return;
+    if (isCovered(this.#options.session.state.value) && !isAwaited) return;
+    const finished = this.#awaited.begin();
     const start = performance.now();
     const { document } = this.#options.session.store;
-    this.#submit(waiting.length > 0);
+    const isDrawn = this.#submit(isAwaited);
+    const { difference } = this.#tracingView;
+    if (difference.canvas) this.#outlines.drawOn(difference.lines);
+    else this.#outlines.draw();
     this.hands.draw();
     this.#show.update(this.#options.renderer.exposure(this.#options.session.store.document.view));
     if (this.#wantsMore()) this.#loop.request();
     await gpuFinished(this.#options.renderer);
     const now = performance.now();
     // A frame waits for the one before it.
-    this.#resolution.add(now - Math.max(start, this.#finishedAt), document);
+    if (isDrawn) this.#resolution.add(now - Math.max(start, this.#finishedAt), document);
     this.#finishedAt = now;
     await this.#readTimes();
-    for (const resolve of waiting) resolve();
+    finished();
   }
 
   async #readTimes(): Promise<void> {

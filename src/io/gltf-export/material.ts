@@ -5,6 +5,7 @@
 import { resolveParameters } from '../../brdf/values.ts';
 import { findModel } from '../../scene/models.ts';
 import type { Document, Material, TextureRef } from '../../scene/schema.ts';
+import { iorOfThesisSpecular, reflectanceOfIor, reflectanceOfSpecular } from '../../scene/specular.ts';
 import type { Notes } from '../gltf/notes.ts';
 import type { GltfWriter, Json } from '../gltf/writer.ts';
 import { coatRoughness, indexOf } from '../material-layers.ts';
@@ -108,14 +109,14 @@ export async function exportMaterial(
     extend('KHR_materials_emissive_strength', { emissiveStrength: emission.strength });
   const base = await baseTexture(material, maps);
   const { normalMap, occlusionMap, emissiveMap } = material;
-  const normal = normalMap && textures.whole(normalMap);
+  const normal = normalMap && (await textures.whole(normalMap));
   const occlusion =
     occlusionMap &&
     (await textures.packed(
       { r: { ref: occlusionMap, channel: occlusionMap.channel ?? 'r' } },
       `${material.name}: occlusion`,
     ));
-  const emissive = emissiveMap && textures.whole(emissiveMap);
+  const emissive = emissiveMap && (await textures.whole(emissiveMap));
   if (material.bumpMap) notes.add(`${material.name}: glTF has no bump maps; bake it into a normal map`);
   const alpha =
     material.alphaMode === 'opaque' ? 1 : clamp(material.opacity * (material.opacityMap?.scale ?? 1));
@@ -157,15 +158,16 @@ function valuesOf(document: Document, material: Material, notes: Notes): Values 
       if (material.model === 'principled-thesis')
         notes.add(`${name}: principled-thesis is written as principled, which it is nearly`);
       const specular = Number(p.specular);
-      // The thesis's own is an index of refraction of 1 + .8 specular.
-      const ior = 1 + 0.8 * specular;
-      const r0 = material.model === 'principled' ? 0.08 * specular : ((ior - 1) / (ior + 1)) ** 2;
+      const r0 =
+        material.model === 'principled'
+          ? reflectanceOfSpecular(specular)
+          : reflectanceOfIor(iorOfThesisSpecular(specular));
       return { ...known, r0, ior: 1.5 };
     }
     case 'principled-bsdf':
       lose('scatter', 'scattering inside');
       lose('specularTint', 'the tint of its reflection');
-      return { ...known, r0: ((known.ior - 1) / (known.ior + 1)) ** 2 };
+      return { ...known, r0: reflectanceOfIor(known.ior) };
     case 'dielectric':
       lose('scatter', 'scattering inside');
       return { ...known, baseColor: [1, 1, 1], specTrans: 1 };
@@ -183,7 +185,7 @@ function valuesOf(document: Document, material: Material, notes: Notes): Values 
         baseColor: p.albedo as Rgb,
         metallic: known.metallic,
         roughness,
-        r0: ((ior - 1) / (ior + 1)) ** 2,
+        r0: reflectanceOfIor(ior),
       };
     }
     default: {

@@ -4,6 +4,7 @@
  */
 import type { AssetLoader } from '../../scene/assets.ts';
 import { decodeBase64 } from '../../scene/base64.ts';
+import { isPattern } from '../../scene/pattern/asset.ts';
 import type { Document, TextureRef } from '../../scene/schema.ts';
 import { readTexels, type Texels } from '../../scene/texels.ts';
 import { readGltf, textureImage } from '../gltf/file.ts';
@@ -45,11 +46,11 @@ export class TextureExport {
   ) {}
 
   /** The image as it is. */
-  whole(ref: TextureRef): TextureInfo {
+  async whole(ref: TextureRef): Promise<TextureInfo> {
     const key = imageOf(ref);
     let image = this.#images.get(key);
     if (image === undefined) {
-      const { bytes, mediaType, name } = this.#file(ref);
+      const { bytes, mediaType, name } = await this.#file(ref);
       image = { index: this.writer.image(bytes, mediaType, name), mediaType };
       this.#images.set(key, image);
     }
@@ -108,9 +109,21 @@ export class TextureExport {
     return encodePng(pixels, width, height);
   }
 
-  #file({ asset: id, texture }: TextureRef): { bytes: Uint8Array; mediaType: string; name: string } {
+  async #file({
+    asset: id,
+    texture,
+  }: TextureRef): Promise<{ bytes: Uint8Array; mediaType: string; name: string }> {
     const asset = this.document.assets[id];
     if (asset === undefined) throw new Error(`there is no asset ${id}`);
+    if (isPattern(asset)) {
+      // glTF has no patterns: their picture goes.
+      const { bytes, width, height } = readTexels(await this.assets.image(asset, texture));
+      return {
+        bytes: encodePng(flipped(bytes, width), width, height),
+        mediaType: 'image/png',
+        name: asset.name,
+      };
+    }
     const bytes = decodeBase64(asset.data);
     if (texture === null) return { bytes, mediaType: asset.mediaType, name: asset.name };
     return { ...textureImage(readGltf(bytes, asset.name), texture), name: `${asset.name} ${texture}` };
@@ -137,4 +150,12 @@ export class TextureExport {
       ...(!isPlain(ref) && { extensions: { KHR_texture_transform: toKhr(ref) } }),
     };
   }
+}
+
+/** Texels come with the bottom row first, PNGs with the top one. */
+function flipped(texels: Uint8Array, width: number): Uint8Array {
+  const rows = new Uint8Array(texels.length);
+  for (let at = 0; at < texels.length; at += 4 * width)
+    rows.set(texels.subarray(at, at + 4 * width), texels.length - 4 * width - at);
+  return rows;
 }

@@ -13,7 +13,8 @@ import type { GltfContents } from './nodes.ts';
 export interface ImportedModel {
   /** For the undo menu. */
   label: string;
-  asset: Asset;
+  /** Null where nothing of it is needed: the objects are a document's own primitives, without textures. */
+  asset: Asset | null;
   contents: GltfContents;
   /** By the number that objects have of it. */
   materials: ReadonlyMap<number | undefined, Material>;
@@ -31,7 +32,7 @@ export function addImported(
   { contents: { objects, lights, groups, camera }, materials, spare, asset, bounds }: ImportedModel,
 ): MemberRef[] {
   const wasEmpty = Object.keys(draft.objects).length === 0;
-  const assetId = keepAsset(draft, asset);
+  const assetId = asset === null ? '' : keepAsset(draft, asset);
   const materialIds = new Map<number | undefined, string>();
   for (const [index, material] of materials)
     materialIds.set(index, putMaterial(draft, inAsset(material, assetId)));
@@ -56,14 +57,14 @@ export function addImported(
     refs.push({ kind: 'lights', id });
   }
   const takeObject = free('objects');
-  for (const { object, node, primitive, material, group } of objects) {
+  for (const { object, node, primitive, shape, material, group } of objects) {
     const { id, name } = takeObject(object.name);
     draft.objects[id] = {
       ...structuredClone(object),
       name,
       group: groupAt(group),
       material: materialIds.get(material) ?? '',
-      geometry: { type: 'gltf', asset: assetId, node, primitive },
+      geometry: shape ? { ...shape } : { type: 'gltf', asset: assetId, node, primitive },
     };
     refs.push({ kind: 'objects', id });
   }

@@ -4,12 +4,12 @@
  */
 
 import { decodeDataUrl } from '../../scene/base64.ts';
-import { shortened } from '../../scene/error.ts';
-import { schemaIssues } from '../../scene/validate.ts';
-import { type Companions, findCompanion, imageType, pathIn } from '../meshes/companions.ts';
+import { schemaIssues, shortened } from '../../scene/error.ts';
+import { type Companions, findCompanion, imageType, isAddress, pathIn } from '../meshes/companions.ts';
 import { checkGltf, meshoptOf } from './check.ts';
 import { GltfError } from './error.ts';
 import { isGlb, padded, readGlb, writeGlb } from './glb.ts';
+import type { Notes } from './notes.ts';
 import { type Gltf, gltfSchema, imageIndex } from './schema.ts';
 
 export interface GltfFile {
@@ -19,8 +19,17 @@ export interface GltfFile {
   binary: Uint8Array;
 }
 
-/** Throws GltfError, and nothing else, whatever the bytes are. */
-export function readGltf(bytes: Uint8Array, name: string, companions: Companions = new Map()): GltfFile {
+/**
+ * Throws GltfError, and nothing else, whatever the bytes are.
+ *
+ * @param notes takes the images that cannot be had; without it their absence is an error
+ */
+export function readGltf(
+  bytes: Uint8Array,
+  name: string,
+  companions: Companions = new Map(),
+  notes: Notes | null = null,
+): GltfFile {
   const glb = isGlb(bytes) ? readGlb(bytes, name) : null;
   const json = parse(glb?.json ?? bytes, name);
   const parts = json.buffers.map((buffer, i) => {
@@ -35,7 +44,7 @@ export function readGltf(bytes: Uint8Array, name: string, companions: Companions
     return claimed;
   });
   checkGltf(json, sizes, name);
-  return { name, ...embed(json, parts, name, companions) };
+  return { name, ...embed(json, parts, name, companions, notes) };
 }
 
 export function gltfBytes(file: GltfFile): Uint8Array<ArrayBuffer> {
@@ -75,18 +84,25 @@ function parse(bytes: Uint8Array, name: string): Gltf {
 function resolve(uri: string, path: string, name: string, companions: Companions) {
   const embedded = decodeDataUrl(uri);
   if (embedded !== null) return embedded;
-  if (/^[a-z][a-z0-9+.-]*:/i.test(uri))
-    throw new GltfError(name, `${path}: refers to ${shortened(uri)}, which is not fetched`);
+  if (isAddress(uri)) throw new GltfError(name, `${path}: refers to ${shortened(uri)}, which is not fetched`);
   const found = findCompanion(companions, uri);
-  if (found !== null) return { bytes: found.bytes, mediaType: imageType(found.path) };
+  if (found !== null) return { bytes: found.content, mediaType: imageType(found.path) };
   throw new GltfError(
     name,
     `${path}: needs the file ${shortened(pathIn(uri))}; open or drop it together with this one, as a folder or a zip`,
   );
 }
 
+/** What a person is told of an image that is not to be had. */
+function whyLost(uri: string, companions: Companions): string | null {
+  if (decodeDataUrl(uri) !== null || findCompanion(companions, uri) !== null) return null;
+  return isAddress(uri)
+    ? `the image ${uri.slice(0, 200)} is on another server, and not fetched`
+    : `the image ${pathIn(uri).slice(0, 200)} did not come along: drop the whole folder, or a zip of it, to have it`;
+}
+
 /** All buffers and image files as one buffer. */
-function embed(json: Gltf, parts: Uint8Array[], name: string, companions: Companions) {
+function embed(json: Gltf, parts: Uint8Array[], name: string, companions: Companions, notes: Notes | null) {
   const bufferViews = [...json.bufferViews];
   const pieces = [...parts];
   const offsets: number[] = [];
@@ -99,6 +115,11 @@ function embed(json: Gltf, parts: Uint8Array[], name: string, companions: Compan
   const images = json.images.map((image, i) => {
     if (image.uri === undefined) return image;
     const { uri, ...rest } = image;
+    const lost = notes && whyLost(uri, companions);
+    if (lost) {
+      notes.add(lost);
+      return rest;
+    }
     const { bytes, mediaType } = resolve(uri, `images[${i}]`, name, companions);
     pieces.push(bytes);
     append(bytes);

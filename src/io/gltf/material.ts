@@ -17,6 +17,7 @@ import {
   transformSchema,
 } from './schema.ts';
 import { fromKhr, isApproximate } from './transform.ts';
+import { noteMaterial } from './unread.ts';
 
 type Rgb = [number, number, number];
 
@@ -76,6 +77,7 @@ export function convertMaterial(
   setEmission(material, source);
   setSpecularGlossiness(material, source.extensions, texture, notes);
   applyLayers(material, layersOf(source.extensions, texture), notes);
+  noteMaterial(source.extensions, name, notes);
   if (source.extensions?.KHR_materials_unlit !== undefined) makeUnlit(material, notes);
   return material;
 }
@@ -130,6 +132,7 @@ function layersOf(
   });
   const diffuse = ext('diffuse_transmission', {
     diffuseTransmissionFactor: number(0),
+    diffuseTransmissionTexture: map,
     diffuseTransmissionColorFactor: rgb(1),
   });
   const anisotropy = ext('anisotropy', {
@@ -168,6 +171,7 @@ function layersOf(
     diffuseTransmission: {
       factor: diffuse?.diffuseTransmissionFactor ?? 0,
       color: diffuse?.diffuseTransmissionColorFactor ?? [1, 1, 1],
+      texture: texture(diffuse?.diffuseTransmissionTexture, { channel: 'a' }),
     },
     anisotropy: {
       strength: anisotropy?.anisotropyStrength ?? 0,
@@ -250,9 +254,14 @@ function convertTexture(
     notes.add(`textures[${info.index}] is in a format that is not read (PNG, JPEG, WebP, AVIF and KTX2 are)`);
     return null;
   }
+  // It did not come along, which readGltf has told.
+  if (gltf.images[imageIndex(found) ?? -1]?.bufferView === undefined) return null;
   const sampler = gltf.samplers[found.sampler ?? -1];
   if (sampler && sampler.wrapS !== sampler.wrapT)
     notes.add(`textures[${info.index}] wraps differently along its sides; both wrap as along the first`);
+  // 9728 is NEAREST.
+  if (sampler?.magFilter === 9728)
+    notes.add(`textures[${info.index}] is shown smooth from near, not in squares`);
   const ref = textureRef(asset, {
     texture: info.index,
     uv: info.texCoord,

@@ -2,9 +2,13 @@
 import * as THREE from 'three/webgpu';
 import { memberDefaults } from '../../scene/group-schema.ts';
 import { lightDefaults } from '../../scene/light-schema.ts';
+import type { Primitive } from '../../scene/mirror/geometry.ts';
 import type { Camera, Light, SceneObject } from '../../scene/schema.ts';
 import { cameraDefaults } from '../../scene/stage-schema.ts';
+import { GltfError } from './error.ts';
+import type { GltfFile } from './file.ts';
 import { groupNodes, type ImportedGroup, type TreeNode } from './groups.ts';
+import { instancesOf, MOST_INSTANCES } from './instances.ts';
 import type { Notes } from './notes.ts';
 import { type Gltf, type GltfNode, isGroupOfOurs, isSceneOfOurs, isSurface, lightsSchema } from './schema.ts';
 
@@ -12,6 +16,8 @@ export interface GltfObject {
   object: Omit<SceneObject, 'material' | 'geometry'>;
   node: number;
   primitive: number;
+  /** What it is instead of a primitive of the file. */
+  shape: Primitive | null;
   material: number | undefined;
   /** Its group's place in the list. */
   group: number | null;
@@ -35,36 +41,60 @@ export interface NodeLight {
   node: number;
 }
 
+/** An object with a shape that the document has itself, at the node that stands for it. */
+export interface NodePrimitive {
+  /** Where neither the node nor what is around it has a name. */
+  name: string;
+  shape: Primitive;
+  /** By the number that it has among the file's. */
+  material: number | undefined;
+  node: number;
+}
+
 type Vector = [number, number, number];
 
-/** @param own lights beside those of the glTF itself */
+/** @param own what there is beside the glTF's own lights and meshes */
 export function convertNodes(
-  gltf: Gltf,
+  source: GltfFile,
   file: string,
   notes: Notes,
-  own: readonly NodeLight[] = [],
+  own: { lights: readonly NodeLight[]; primitives: readonly NodePrimitive[] } = {
+    lights: [],
+    primitives: [],
+  },
 ): GltfContents {
+  const gltf = source.json;
   const objects: Omit<GltfObject, 'group'>[] = [];
   const lights: NodeLight[] = [];
   let camera: Camera | null = null;
   const punctuals = lightsSchema.safeParse(gltf.extensions?.KHR_lights_punctual).data?.lights ?? [];
-  const ownAt = new Map<number, Light[]>();
-  for (const { light, node } of own) ownAt.set(node, [...(ownAt.get(node) ?? []), light]);
+  const lightsAt = byNode(own.lights);
+  const primitivesAt = byNode(own.primitives);
   const joints = new Set(gltf.skins.flatMap((skin) => skin.joints));
   const tree: TreeNode[] = [];
   const places = new Map<number, number>();
   for (const { index, node, world, visible, parent, name } of walk(gltf)) {
     const before = objects.length + lights.length;
-    objects.push(...surfacesOf(gltf, index, node, name, world, visible, notes));
+    const instances = node.mesh === undefined ? null : instancesOf(source, index);
+    if (instances === 'packed')
+      notes.add(`${nameOf(node, index)}: its instances are compressed; only one of them is shown`);
+    const copies = instances === null || instances === 'packed' ? [new THREE.Matrix4()] : instances;
+    for (const own of copies)
+      objects.push(...surfacesOf(gltf, index, node, name, own.clone().premultiply(world), visible, notes));
+    if (objects.length > MOST_INSTANCES)
+      throw new GltfError(file, `nodes[${index}]: more than ${MOST_INSTANCES} objects`);
     const punctual = node.extensions?.KHR_lights_punctual as { light?: unknown } | undefined;
     const light = typeof punctual?.light === 'number' ? punctuals[punctual.light] : undefined;
     if (light !== undefined)
       lights.push({ light: { ...convertLight(light, name, world), visible }, node: index });
-    for (const light of ownAt.get(index) ?? []) lights.push({ light, node: index });
+    lights.push(...(lightsAt.get(index) ?? []));
+    for (const { name: kind, shape, material } of primitivesAt.get(index) ?? []) {
+      const called = (name || kind).slice(0, 180);
+      const object = { name: called, visible, ...memberDefaults, ...decompose(world, called, notes) };
+      objects.push({ object, node: index, primitive: 0, shape, material });
+    }
     if (node.camera !== undefined && camera === null)
       camera = convertCamera(gltf.cameras[node.camera], world, notes);
-    if (node.extensions?.EXT_mesh_gpu_instancing)
-      notes.add(`${nameOf(node, index)}: only one of its instances is shown`);
     const group = isGroupOfOurs(node) ? 'always' : joints.has(index) ? 'never' : 'if several';
     const around = parent === null ? null : places.get(parent)!;
     const there = objects.length + lights.length - before;
@@ -79,6 +109,16 @@ export function convertNodes(
     groups,
     camera,
   };
+}
+
+function byNode<T extends { node: number }>(all: readonly T[]): Map<number, T[]> {
+  const found = new Map<number, T[]>();
+  for (const one of all) {
+    const there = found.get(one.node);
+    if (there) there.push(one);
+    else found.set(one.node, [one]);
+  }
+  return found;
 }
 
 const nameIn = (node: GltfNode): string => (node.name ?? '').trim().slice(0, 180);
@@ -167,6 +207,7 @@ function surfacesOf(
       object: { name: name + part, visible, ...memberDefaults, ...place },
       node: index,
       primitive,
+      shape: null,
       material,
     });
   }

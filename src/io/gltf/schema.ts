@@ -39,6 +39,7 @@ const accessor = z.looseObject({
   bufferView: index.optional(),
   byteOffset: size.default(0),
   componentType: z.literal([5120, 5121, 5122, 5123, 5125, 5126]),
+  normalized: z.boolean().optional(),
   count: size,
   type: z.enum(['SCALAR', 'VEC2', 'VEC3', 'VEC4', 'MAT2', 'MAT3', 'MAT4']),
   sparse: z
@@ -158,9 +159,17 @@ export const gltfSchema = z.looseObject({
     10_000,
   ),
   textures: list(z.looseObject({ source: index.optional(), sampler: index.optional(), extensions }), 100_000),
-  samplers: list(z.looseObject({ wrapS: z.int().default(10497), wrapT: z.int().default(10497) }), 100_000),
+  samplers: list(
+    z.looseObject({
+      wrapS: z.int().default(10497),
+      wrapT: z.int().default(10497),
+      magFilter: z.int().optional(),
+    }),
+    100_000,
+  ),
   materials: list(material, 100_000),
   cameras: list(camera, 10_000),
+  animations: z.array(z.unknown()).default([]),
   skins: list(z.looseObject({ joints: z.array(index).max(1e6).default([]) }), 10_000),
   extensions,
   extras: z.unknown().optional(),

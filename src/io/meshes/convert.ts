@@ -8,13 +8,15 @@ import { type MeshData, writePrimitive } from './mesh.ts';
 import { mtlMaterial, readMtl } from './mtl.ts';
 import { type ObjPart, readObj } from './obj.ts';
 import { readPly } from './ply.ts';
+import { librariesIn, materialFileOf } from './references.ts';
 import { readStl } from './stl.ts';
 import { TextureWriter } from './textures.ts';
+import { withoutComment } from './words.ts';
 
 const baseName = (file: string): string => file.replace(/^.*[/\\]/, '').replace(/\.[A-Za-z0-9]+$/, '');
 
 function converted(writer: GltfWriter, materials: Material[] = []): Converted {
-  return { glb: writer.finish(), materials, lights: [], camera: null };
+  return { glb: writer.finish(), materials, lights: [], primitives: [], camera: null };
 }
 
 function addObject(
@@ -41,23 +43,39 @@ export function convertPly(bytes: Uint8Array, file: string, notes: Notes): Conve
   return converted(writer);
 }
 
+/** Those that it names, else the one that is named as it is: people rename files, and not what is in them. */
+function materialFiles(
+  file: string,
+  libraries: readonly string[],
+  companions: Companions,
+  notes: Notes,
+): { path: string; content: Uint8Array }[] {
+  const own = findCompanion(companions, materialFileOf(file));
+  const found = libraries.flatMap(librariesIn).flatMap((library) => {
+    const there = findCompanion(companions, library);
+    if (there === null && own === null)
+      notes.add(
+        `its materials in ${library.slice(0, 200)} did not come along: drop both files, the folder, or a zip of it`,
+      );
+    return there ?? [];
+  });
+  return found.length > 0 || own === null ? found : [own];
+}
+
 export function convertObj(bytes: Uint8Array, file: string, companions: Companions, notes: Notes): Converted {
   const { parts, libraries } = readObj(bytes, file, notes);
   const writer = new GltfWriter();
   const textures = new TextureWriter(writer, companions, notes);
-  const sources = libraries.flatMap((library) => {
-    const found = findCompanion(companions, library);
-    if (found === null)
-      notes.add(
-        `its materials in ${library.slice(0, 200)} did not come along: drop both files, the folder, or a zip of it`,
-      );
-    return found ? readMtl(found.bytes, found.path) : [];
-  });
+  const sources = materialFiles(file, libraries, companions, notes).flatMap(({ path, content }) =>
+    readMtl(content, path),
+  );
   const materials: Material[] = [];
   const indices = new Map<string, number | undefined>();
   const materialOf = (name: string | null): number | undefined => {
     if (name === null || indices.has(name)) return name === null ? undefined : indices.get(name);
-    const source = sources.find((material) => material.name === name);
+    const source =
+      sources.find((material) => material.name === name) ??
+      sources.find((material) => withoutComment(material.name) === withoutComment(name));
     if (source === undefined && sources.length > 0)
       notes.add(`there is no material ${name} in its .mtl file`);
     const index = source && materials.push(mtlMaterial(source, textures, notes)) - 1;

@@ -10,6 +10,7 @@ import { applyLayers, noLayers } from '../material-layers.ts';
 import { ModelFileError } from './error.ts';
 import { phongRoughness } from './phong.ts';
 import type { TextureWriter } from './textures.ts';
+import { wordsOf } from './words.ts';
 
 /** What a line of the file says, and which line it is. */
 interface Statement {
@@ -29,7 +30,7 @@ export function readMtl(bytes: Uint8Array, file: string): MtlMaterial[] {
     .decode(bytes)
     .split(/\r\n|\r|\n/)
     .entries()) {
-    const [word = '', ...words] = text.replace(/#.*$/, '').trim().split(/\s+/);
+    const [word = '', ...words] = wordsOf(text.trim());
     if (word === '') continue;
     if (word === 'newmtl') {
       materials.push({ name: words.join(' '), file, statements: new Map() });
@@ -120,7 +121,9 @@ export function mtlMaterial(source: MtlMaterial, textures: TextureWriter, notes:
     material.emissive = emissive.map((value) => clamp(value / brightest)) as Rgb;
     material.emissiveIntensity = clamp(brightest, 0, 1e9);
   }
-  material.opacityMap = map(['map_d'], { channel: 'r' });
+  // Beside the colours of the same image its opacity is what is left of it, its alpha.
+  const isOfColors = fileOf(statements.get('map_d')) === fileOf(statements.get('map_kd'));
+  material.opacityMap = map(['map_d'], { channel: isOfColors ? 'a' : 'r' });
   material.opacity = opacity;
   if (opacity < 1 || material.opacityMap) material.alphaMode = 'blend';
   for (const [key, what] of unread) if (statements.has(key)) notes.add(`${name}: ${what} is not read`);
@@ -133,6 +136,13 @@ const unread: readonly (readonly [string, string])[] = [
   ['refl', 'its reflection map'],
   ['disp', 'its displacement'],
 ];
+
+/** The last word of its name, however it is given. */
+const fileOf = (statement: Statement | undefined): string | undefined =>
+  statement?.words
+    .at(-1)
+    ?.replace(/^.*[\\/]/, '')
+    .toLowerCase();
 
 /** A texture statement: options first, then the file's name, which may have spaces. */
 function textureOf(

@@ -5,6 +5,7 @@
 import type { Notes } from '../gltf/notes.ts';
 import { ModelFileError } from './error.ts';
 import { type MeshData, Numbers, smoothNormals } from './mesh.ts';
+import { wordsOf } from './words.ts';
 
 export interface ObjPart extends MeshData {
   /** The names of the object and of the group; '' where the file gives none. */
@@ -68,7 +69,7 @@ class ObjReader {
         at = end + 1;
         this.#line += 1;
       }
-      this.#statement(line.replace(/#.*$/, '').trim(), begin);
+      this.#statement(line.trim(), begin);
     }
     const parts = [...this.#builders.values()].map((builder) => builder.finish());
     if (parts.length === 0) throw new ModelFileError(this.#file, '', 'the file has no faces');
@@ -76,9 +77,9 @@ class ObjReader {
   }
 
   #statement(line: string, number: number): void {
-    if (line === '') return;
-    const words = line.split(/\s+/);
+    const words = wordsOf(line);
     const [word = ''] = words;
+    if (word === '') return;
     switch (word) {
       case 'v':
         this.#numbers(words, 3, this.#positions, number);

@@ -3,7 +3,8 @@ import { textureRef } from '../../scene/material-schema.ts';
 import type { TextureRef } from '../../scene/schema.ts';
 import type { Notes } from '../gltf/notes.ts';
 import type { GltfWriter } from '../gltf/writer.ts';
-import { type Companions, findCompanion, imageType } from './companions.ts';
+import { type Companions, findCompanion, imageType, UNKNOWN_TYPE } from './companions.ts';
+import { pngOfTga } from './tga.ts';
 
 export class TextureWriter {
   readonly #writer: GltfWriter;
@@ -26,10 +27,21 @@ export class TextureWriter {
         this.#notes.add(
           `the image ${name.slice(0, 200)} did not come along: drop the whole folder, or a zip of it, to have it`,
         );
-      texture = found && this.#add(found.path, found.bytes, imageType(found.path));
+      texture = found && this.#read(found.path, found.content);
       this.#textures.set(name, texture);
     }
     return texture === null ? null : textureRef('', { ...values, texture });
+  }
+
+  #read(path: string, content: Uint8Array): number | null {
+    const type = imageType(path);
+    if (type !== UNKNOWN_TYPE) return this.#add(path, content, type);
+    const png = /\.tga$/i.test(path) ? pngOfTga(content) : null;
+    if (png) return this.#add(path, png, 'image/png');
+    this.#notes.add(
+      `the image ${path.slice(-200)} is in a format that is not read (PNG, JPEG, WebP, AVIF, KTX2 and TGA are)`,
+    );
+    return null;
   }
 
   /** The same for an image whose bytes are at hand; `key` tells it from others. */

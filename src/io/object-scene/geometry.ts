@@ -19,6 +19,10 @@ export interface SourceGeometry extends MeshData {
 
 type Entry = SourceScene['geometries'][number];
 
+/** three.js's primitives rarely have names, but kinds. */
+export const geometryName = ({ name, type }: Entry): string =>
+  name || type.replace(/^(Buffer)?(\w*?)Geometry$/, '$2');
+
 /** As many as a document's own primitives may have. */
 const MOST_QUADS = 2048 * 2048;
 
@@ -53,8 +57,7 @@ export function readGeometry(entry: Entry, index: number, shapes: unknown, file:
   if (indices?.some((corner) => corner >= vertices)) fail('its index names vertices that are not there');
   const corners = indices?.length ?? vertices;
   return {
-    // three.js's primitives rarely have names, but kinds.
-    name: entry.name || entry.type.replace(/^(Buffer)?(\w*?)(Buffer)?Geometry$/, '$2'),
+    name: geometryName(entry),
     positions,
     normals: floats(geometry, 'normal', 3, vertices),
     uvs: floats(geometry, 'uv', 2, vertices),

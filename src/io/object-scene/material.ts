@@ -1,7 +1,9 @@
 /** Materials of a three.js scene file as `principled`; a Phong highlight becomes a microfacet one that is as wide. */
+
 import * as THREE from 'three/webgpu';
 import { materialDefaults } from '../../scene/material-schema.ts';
 import type { Material, ScaledTextureRef, TextureRef } from '../../scene/schema.ts';
+import { specularOfReflectance } from '../../scene/specular.ts';
 import type { Notes } from '../gltf/notes.ts';
 import { applyLayers, makeUnlit, noLayers } from '../material-layers.ts';
 import { phongRoughness } from '../meshes/phong.ts';
@@ -21,6 +23,12 @@ const read = new Set([
   'MeshBasicMaterial',
   'MeshToonMaterial',
 ]);
+
+/** Textures of three.js's materials that have no counterpart here. */
+const unread = [
+  ...['clearcoatRoughnessMap', 'displacementMap', 'envMap', 'gradientMap', 'iridescenceMap', 'lightMap'],
+  ...['matcap', 'sheenRoughnessMap', 'specularColorMap', 'specularMap', 'thicknessMap'],
+];
 
 export function sceneMaterial(
   source: SourceMaterial,
@@ -56,9 +64,11 @@ export function sceneMaterial(
   setSurface(material, source, map, scaled);
   if (source.type === 'MeshPhysicalMaterial') applyPhysical(material, source, map, notes);
   // Phong's specular colour is what is reflected head-on; Lambert reflects nothing.
-  else if (isPhong) material.parameters.specular = Math.max(...linear(source.specular ?? 0x111111)) / 0.08;
+  else if (isPhong)
+    material.parameters.specular = specularOfReflectance(Math.max(...linear(source.specular ?? 0x111111)));
   else if (!isPhysical) material.parameters.specular = 0;
   if (source.type === 'MeshBasicMaterial') makeUnlit(material, notes);
+  for (const field of unread) if (source[field]) notes.add(`${name}: its ${field} is not read`);
   return material;
 }
 

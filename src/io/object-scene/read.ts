@@ -3,8 +3,9 @@
  * are in one another as its objects are, but every mesh says where in the world it stands.
  */
 import * as THREE from 'three/webgpu';
+import { schemaIssues } from '../../scene/error.ts';
+import type { Primitive } from '../../scene/mirror/geometry.ts';
 import type { Camera } from '../../scene/schema.ts';
-import { schemaIssues } from '../../scene/validate.ts';
 import type { Notes } from '../gltf/notes.ts';
 import { GltfWriter, type Json } from '../gltf/writer.ts';
 import type { Companions } from '../meshes/companions.ts';
@@ -12,10 +13,11 @@ import type { Converted } from '../meshes/converted.ts';
 import { ModelFileError } from '../meshes/error.ts';
 import { writeAttributes } from '../meshes/mesh.ts';
 import { TextureWriter } from '../meshes/textures.ts';
-import { readGeometry, type SourceGeometry } from './geometry.ts';
+import { geometryName, readGeometry, type SourceGeometry } from './geometry.ts';
 import { sceneCamera, sceneLight } from './lights.ts';
 import { sceneMaterial } from './material.ts';
-import { objectSchema, type SourceObject, type SourceScene, sceneSchema } from './schema.ts';
+import { ownPrimitive } from './primitives.ts';
+import { isEditorProject, objectSchema, type SourceObject, type SourceScene, sceneSchema } from './schema.ts';
 import { SceneTextures } from './textures.ts';
 
 /** A document's objects end there. */
@@ -31,9 +33,21 @@ export function readObjectScene(
   const scene = parse(json, file);
   const writer = new GltfWriter();
   const textures = new SceneTextures(scene, new TextureWriter(writer, companions, notes), notes);
-  const converted: Converted = { glb: new Uint8Array(0), materials: [], lights: [], camera: null };
+  const converted: Converted = {
+    glb: new Uint8Array(0),
+    materials: [],
+    lights: [],
+    primitives: [],
+    camera: null,
+  };
   const geometries = new Map(scene.geometries.map((entry, index) => [entry.uuid, { entry, index }]));
   const made = new Map<string, Written>();
+  const shapes = new Map<SourceScene['geometries'][number], Primitive | null>();
+  const shapeOf = (entry: SourceScene['geometries'][number]): Primitive | null => {
+    const shape = shapes.get(entry) ?? ownPrimitive(entry);
+    shapes.set(entry, shape);
+    return shape;
+  };
   const sources = new Map(scene.materials.map((material, index) => [material.uuid, { material, index }]));
   const materialIndices = new Map<string, number>();
   const materialOf = (uuid: string | undefined): number | undefined => {
@@ -70,28 +84,42 @@ export function readObjectScene(
     const geometry = geometries.get(object.geometry);
     if (geometry === undefined)
       throw new ModelFileError(file, place.path, `there is no geometry ${object.geometry.slice(0, 80)}`);
-    let written = made.get(object.geometry);
-    if (written === undefined) {
-      const data = readGeometry(geometry.entry, geometry.index, scene.shapes, file);
-      written = { data, meshes: new Map(), attributes: writeAttributes(writer, data) };
-      made.set(object.geometry, written);
-    }
-    noteLosses(object, written.data, notes);
     const materials = [object.material ?? []].flat().map(materialOf);
-    const mesh = writeMesh(writer, written, materials);
+    // Several materials are those of its sides, which a document's primitive has not.
+    const shape = materials.length > 1 ? null : shapeOf(geometry.entry);
+    let mesh: number | undefined;
+    if (shape === null) {
+      let written = made.get(object.geometry);
+      if (written === undefined) {
+        const data = readGeometry(geometry.entry, geometry.index, scene.shapes, file);
+        written = { data, meshes: new Map(), attributes: writeAttributes(writer, data) };
+        made.set(object.geometry, written);
+      }
+      mesh = writeMesh(writer, written, materials);
+      noteLosses(object, written.data, notes);
+    } else
+      noteLosses(object, { name: geometryName(geometry.entry), hasColors: false, hasMorphs: false }, notes);
     for (const matrix of instancesOf(object, world)) {
       objects += 1;
       if (objects > MOST_OBJECTS)
         throw new ModelFileError(file, place.path, `more than ${MOST_OBJECTS} objects`);
-      tree.add(index, {
+      const node = tree.add(index, {
         ...(object.name && { name: object.name }),
-        mesh,
+        ...(mesh !== undefined && { mesh }),
         matrix: matrix.toArray(),
         ...(!visible && { extensions: { KHR_node_visibility: { visible: false } } }),
       });
+      if (shape !== null)
+        converted.primitives.push({
+          name: geometryName(geometry.entry),
+          shape,
+          material: materials[0],
+          node,
+        });
     }
   }
   converted.camera ??= editorCamera(json);
+  if (isEditorProject(json)) noteProject(json, notes);
   tree.finish();
   converted.glb = writer.finish();
   return converted;
@@ -150,10 +178,10 @@ function nameAfter(node: Json, { name, type }: SourceObject): void {
 }
 
 function parse(json: unknown, file: string): SourceScene {
-  const { metadata, scene } = json as { metadata?: { type?: unknown }; scene?: unknown };
+  const { metadata } = json as { metadata?: { type?: unknown } };
   let whole: unknown = json;
-  // A project of three.js's editor has its scene inside; a geometry alone becomes a mesh of it.
-  if (metadata?.type === 'App') whole = scene;
+  // A geometry alone becomes a mesh of it.
+  if (isEditorProject(json)) whole = json.scene;
   else if (metadata?.type === 'BufferGeometry')
     whole = {
       geometries: [{ uuid: 'geometry', ...(json as object) }],
@@ -173,11 +201,23 @@ function parse(json: unknown, file: string): SourceScene {
 
 /** A project of three.js's editor has the camera that its author last looked through beside the scene. */
 function editorCamera(json: unknown): Camera | null {
-  const { metadata, camera } = json as { metadata?: { type?: unknown }; camera?: { object?: unknown } };
-  const result = objectSchema.safeParse(metadata?.type === 'App' ? camera?.object : undefined);
+  const camera = isEditorProject(json) ? (json.camera as { object?: unknown } | null) : null;
+  const result = objectSchema.safeParse(camera?.object);
   if (!result.success) return null;
   const world = localMatrix(result.data);
   return world.elements.every(Number.isFinite) ? sceneCamera(result.data, world) : null;
+}
+
+/** Nothing that a file brings is run. */
+function noteProject({ scripts, environment, project }: Record<string, unknown>, notes: Notes): void {
+  const count = Object.values(scripts ?? {}).reduce(
+    (sum: number, list: unknown) => sum + (Array.isArray(list) ? list.length : 0),
+    0,
+  );
+  if (count > 0) notes.add(`its scripts (${count}) are left out: nothing in a file is run`);
+  const hasEnvironment = typeof environment === 'string' && environment !== 'None';
+  if (hasEnvironment || project)
+    notes.add("the project's environment, shadows and tone mapping are not read");
 }
 
 interface Place {
@@ -248,11 +288,16 @@ function instancesOf(object: SourceObject, world: THREE.Matrix4): THREE.Matrix4[
   );
 }
 
-function noteLosses({ name, type }: SourceObject, data: SourceGeometry, notes: Notes): void {
+function noteLosses(
+  { name, type, instanceColor }: SourceObject,
+  data: Pick<SourceGeometry, 'name' | 'hasColors' | 'hasMorphs'>,
+  notes: Notes,
+): void {
   const called = name || data.name || 'a mesh';
   if (data.hasColors) notes.add(`${called}: its vertex colours are not read`);
   if (data.hasMorphs) notes.add(`${called}: its morph targets are not read`);
   if (type === 'SkinnedMesh') notes.add(`${called}: its skeleton is not read; it is shown in its bind pose`);
+  if (instanceColor) notes.add(`${called}: the colours of its instances are not read`);
   if (type === 'BatchedMesh') notes.add(`${called}: a BatchedMesh is shown as one mesh where it lies`);
 }
 

@@ -33,7 +33,15 @@ const bufferData = z.looseObject({
     .max(100_000)
     .optional(),
 });
-export const geometrySchema = z.looseObject({ uuid, type: z.string(), name, data: bufferData.optional() });
+/** Until 2021 primitives were called BoxBufferGeometry, and the box was once a cube. */
+const geometryType = z
+  .string()
+  .transform((type) =>
+    type
+      .replace(/^Cube(?=(Buffer)?Geometry$)/, 'Box')
+      .replace(/^(?!Instanced)(\w+)BufferGeometry$/, '$1Geometry'),
+  );
+export const geometrySchema = z.looseObject({ uuid, type: geometryType, name, data: bufferData.optional() });
 
 const color = z.int().min(0).max(0xffffff);
 const reference = uuid.nullish();
@@ -155,8 +163,17 @@ export const sceneSchema = z.looseObject({
 });
 export type SourceScene = z.output<typeof sceneSchema>;
 
+const typeOf = (json: unknown): unknown =>
+  (json as { metadata?: { type?: unknown } | null } | null)?.metadata?.type;
+
+/** A project of three.js's editor has a scene inside; its own metadata are mostly empty. */
+export function isEditorProject(json: unknown): json is { scene: unknown; [field: string]: unknown } {
+  const scene = (json as { scene?: unknown } | null)?.scene;
+  return typeOf(json) === 'App' || (typeOf(json) === undefined && typeOf(scene) === 'Object');
+}
+
 /** Whether a file's JSON is a scene, an object or a geometry of three.js, or a project of its editor. */
 export function isObjectScene(json: unknown): boolean {
-  const metadata = (json as { metadata?: { type?: unknown } } | null)?.metadata;
-  return ['Object', 'BufferGeometry', 'Geometry', 'App', 'Scene'].includes(String(metadata?.type ?? ''));
+  const type = typeOf(json);
+  return isEditorProject(json) || ['Object', 'BufferGeometry', 'Geometry', 'Scene'].includes(String(type));
 }

@@ -3,6 +3,7 @@ import { MathUtils } from 'three/webgpu';
 import { decodeDataUrl } from '../../scene/base64.ts';
 import type { TextureRef } from '../../scene/schema.ts';
 import type { Notes } from '../gltf/notes.ts';
+import { isAddress } from '../meshes/companions.ts';
 import type { TextureWriter } from '../meshes/textures.ts';
 import { encodePng } from '../png.ts';
 import type { SourceImage, SourceScene, SourceTexture } from './schema.ts';
@@ -41,7 +42,7 @@ export class SceneTextures {
     if (typeof url === 'string') {
       const embedded = decodeDataUrl(url);
       if (embedded) return this.#writer.bytes(uuid, embedded.bytes, embedded.mediaType, values);
-      if (!/^[a-z][a-z0-9+.-]*:/i.test(url)) return this.#writer.file(url, values);
+      if (!isAddress(url)) return this.#writer.file(url, values);
       this.#notes.add(`the image ${url.slice(0, 200)} is on another server, and not fetched`);
       return null;
     }

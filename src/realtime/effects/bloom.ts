@@ -10,11 +10,14 @@ import { type Node, type RenderTarget, Vector2, type WebGPURenderer } from 'thre
 import { BRIGHTEST_HALF } from '../../material/half-float.ts';
 import type { Effects } from '../../scene/effects-schema.ts';
 import type { Effect, EffectDefinition, EffectSettings } from '../frame/effect.ts';
+import type { FrameInputs } from '../frame/inputs.ts';
 import { inputTexture, Pass } from '../frame/pass.ts';
 import { lensDirt } from './lens-dirt.ts';
 
 /** Halvings; 7 of them reach across a picture of some hundred pixels and a tenth of a large one. */
 const LEVELS = 7;
+/** Pixels of the picture along a side of the smallest level's. */
+export const BLOOM_GRID = 2 ** LEVELS;
 
 /** How many times as much light is spread behind the thickest dirt, less one. */
 const DIRTIEST = 12;
@@ -51,14 +54,13 @@ class Bloom implements Effect {
   readonly #strength = uniform(0);
   readonly #radius = uniform(0);
   readonly #dirt = uniform(0);
-  readonly #aspect = uniform(1);
   readonly #source = inputTexture();
   readonly #down: Level[];
   readonly #up: Level[];
   readonly #result: Pass;
 
   /** @param hasDirt whether there may be any on the lens */
-  constructor(hasDirt: boolean) {
+  constructor(inputs: FrameInputs, hasDirt: boolean) {
     this.#down = Array.from({ length: LEVELS }, (_, i) => new Level(`bloom down ${i}`, DOWN));
     // From the second smallest to the largest: what is below, spread, mixed with what is here.
     this.#up = Array.from({ length: LEVELS - 1 }, (_, i) => new Level(`bloom up ${i}`, UP, this.#radius));
@@ -66,7 +68,7 @@ class Bloom implements Effect {
     const own = this.#source.rgb;
     // Where there is dirt on the lens, more of the light is spread.
     const strength = hasDirt
-      ? this.#strength.mul(lensDirt(this.#aspect).mul(this.#dirt).mul(DIRTIEST).add(1)).min(1)
+      ? this.#strength.mul(lensDirt(inputs).mul(this.#dirt).mul(DIRTIEST).add(1)).min(1)
       : this.#strength;
     this.#result = new Pass('bloom', vec4(mix(own, glow.rgb, strength), this.#source.a));
   }
@@ -79,7 +81,6 @@ class Bloom implements Effect {
 
   afterScene(renderer: WebGPURenderer, input: RenderTarget): RenderTarget {
     const { width, height } = input;
-    this.#aspect.value = width / height;
     let source = input;
     const sizes = this.#down.map((_, i) => [width / 2 ** (i + 1), height / 2 ** (i + 1)] as const);
     for (const [i, level] of this.#down.entries()) source = level.render(renderer, source, ...sizes[i]!);
@@ -137,5 +138,5 @@ export const bloom: EffectDefinition = {
   isOn: ({ effects }) => effects.bloom.enabled && effects.bloom.strength > 0,
   needsSurfaces: false,
   variant: ({ effects: { lens } }) => (hasDirt(lens) ? 'dirt' : ''),
-  build: (_inputs, { effects: { lens } }) => new Bloom(hasDirt(lens)),
+  build: (inputs, { effects: { lens } }) => new Bloom(inputs, hasDirt(lens)),
 };

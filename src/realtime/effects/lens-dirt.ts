@@ -1,13 +1,18 @@
 /** Dust, smears and fingerprints on a lens, made of noise: how much of the light that meets the glass they scatter. */
 import { float, mx_fractal_noise_float, mx_worley_noise_float, uv, vec2, vec3 } from 'three/tsl';
 import type { Node } from 'three/webgpu';
+import type { FrameInputs } from '../frame/inputs.ts';
 
 type Float = Node<'float'>;
 type Vec2 = Node<'vec2'>;
 
-/** 0..1, over a picture of this ratio of width to height. */
-export function lensDirt(aspect: Float): Float {
-  const place = uv().mul(vec2(aspect, 1)) as Vec2;
+/** 0..1, over the picture of which the frame may be a part. */
+export function lensDirt({ size, part }: FrameInputs): Float {
+  const whole = size.div(part.zw);
+  const place = uv()
+    .mul(part.zw)
+    .add(part.xy)
+    .mul(vec2(whole.x.div(whole.y), 1)) as Vec2;
   /** Round specks: near the points of a grid that is shaken; of every second cell, and of different sizes. */
   const dust = (density: number, seed: number): Float => {
     const cell = place.mul(density) as Vec2;

@@ -26,13 +26,14 @@ class Lens implements Effect {
   readonly #source = inputTexture();
   readonly #pass: Pass;
 
-  constructor({ projectionInverse }: FrameInputs) {
-    const middle = uv().sub(0.5) as Vec2;
+  constructor({ projectionInverse, part }: FrameInputs) {
+    // From the middle of the picture, of which the frame may be a part.
+    const middle = uv().mul(part.zw).add(part.xy).sub(0.5) as Vec2;
     let color: Vec3 = vec3(0) as Vec3;
     for (const [i, weights] of WEIGHTS.entries()) {
       // Red is thrown larger than blue, by half of the dispersion each.
       const scale = this.#dispersion.mul(0.5 - i / (COLORS - 1)).oneMinus();
-      const look = this.#source.sample(middle.mul(scale).add(0.5)).rgb;
+      const look = this.#source.sample(middle.mul(scale).add(0.5).sub(part.xy).div(part.zw)).rgb;
       color = color.add(look.mul(vec3(...(weights as [number, number, number])))) as Vec3;
     }
     const place = uv().mul(vec2(2, -2)).add(vec2(-1, 1));

@@ -13,6 +13,7 @@ import type { Effect, EffectDefinition } from '../frame/effect.ts';
 import type { FrameInputs } from '../frame/inputs.ts';
 import { motionAt } from '../frame/motion.ts';
 import { inputTexture, Pass, pixelOf } from '../frame/pass.ts';
+import { radicalInverse } from '../radical-inverse.ts';
 
 type Vec2 = Node<'vec2'>;
 type Vec3 = Node<'vec3'>;
@@ -26,17 +27,6 @@ const MOVING_WEIGHT = 0.1;
 const MOVING_COUNT = 2;
 /** Standard deviations of the colours around a pixel by which its past may differ; 1 flickers, 2 leaves ghosts. */
 const SPREAD = 1.25;
-
-/** The van der Corput sequence: Halton's points have it in base 2 and 3. */
-export function radicalInverse(index: number, base: number): number {
-  let [result, digit, rest] = [0, 1 / base, index];
-  while (rest > 0) {
-    result += (rest % base) * digit;
-    rest = Math.floor(rest / base);
-    digit /= base;
-  }
-  return result;
-}
 
 class Temporal implements Effect {
   readonly #inputs: FrameInputs;

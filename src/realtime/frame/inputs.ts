@@ -8,6 +8,7 @@ import {
   type TextureNode,
   Vector2,
   Vector3,
+  Vector4,
 } from 'three/webgpu';
 import { SurfacesPass } from './surfaces-pass.ts';
 
@@ -29,6 +30,8 @@ const CHANGED = {};
 export class FrameInputs {
   /** Pixels of the radiance buffer, the resolution scale counted in. */
   readonly size = uniform(new Vector2(1, 1));
+  /** Which part of a picture the frame is: xy its left upper corner, zw its size, as parts of the picture's. */
+  readonly part = uniform(new Vector4(0, 0, 1, 1));
   readonly projection = uniform(new Matrix4());
   readonly projectionInverse = uniform(new Matrix4());
   /** World to view space, and back. */
@@ -77,6 +80,16 @@ export class FrameInputs {
   begin(camera: PerspectiveCamera, width: number, height: number, settings: unknown, seconds: number): void {
     const resized = this.size.value.x !== width || this.size.value.y !== height;
     this.size.value.set(width, height);
+    const { view } = camera;
+    if (view?.enabled) {
+      const { fullWidth, fullHeight, offsetX, offsetY } = view;
+      this.part.value.set(
+        offsetX / fullWidth,
+        offsetY / fullHeight,
+        view.width / fullWidth,
+        view.height / fullHeight,
+      );
+    } else this.part.value.set(0, 0, 1, 1);
     this.projection.value.copy(camera.projectionMatrix);
     this.projectionInverse.value.copy(camera.projectionMatrixInverse);
     this.view.value.copy(camera.matrixWorldInverse);

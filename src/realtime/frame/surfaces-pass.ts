@@ -38,11 +38,12 @@ export class SurfacesPass {
   readonly target: RenderTarget;
   readonly #material = new NodeMaterial();
   /**
-   * World to clip space, and where objects were, when this pass was last drawn. three.js' own velocity takes its camera
-   * over once for each frame of the browser, whatever is drawn in it: a file's frames are drawn one after the other.
+   * World to clip space when this pass was last drawn. three.js' own velocity takes its camera over once for each frame of
+   * the browser, whatever is drawn in it: a file's frames are drawn one after the other.
    */
   readonly #viewProjection = uniform(new Matrix4());
-  readonly #world = new WeakMap<Object3D, Matrix4>();
+  /** Where the objects were that the last frame saw: what was hidden then, or not there, comes without motion. */
+  #world = new Map<Object3D, Matrix4>();
   readonly #seen = new Set<Object3D>();
   #drawn = Number.NEGATIVE_INFINITY;
   readonly #outputs = mrt({
@@ -87,7 +88,10 @@ export class SurfacesPass {
     this.target.setSize(width, height);
     const isFirst = frame !== this.#drawn + 1;
     const now = new Matrix4().multiplyMatrices(camera.projectionMatrix, camera.matrixWorldInverse);
-    if (isFirst) this.#viewProjection.value.copy(now);
+    if (isFirst) {
+      this.#viewProjection.value.copy(now);
+      this.#world.clear();
+    }
     const { overrideMaterial, background } = scene;
     scene.overrideMaterial = this.#material;
     scene.background = null;
@@ -100,7 +104,6 @@ export class SurfacesPass {
       this.#material.side = material.side;
       // What is cut out is: three.js hands on the rest that it takes.
       this.#material.opacity = material.opacity;
-      if (isFirst) this.#world.delete(object);
       this.#seen.add(object);
       three.renderObject(object, ofScene, ofCamera, geometry, material, ...rest);
     });
@@ -115,10 +118,10 @@ export class SurfacesPass {
     scene.overrideMaterial = overrideMaterial;
     scene.background = background;
     this.#viewProjection.value.copy(now);
-    for (const object of this.#seen) {
-      const kept = this.#world.get(object) ?? new Matrix4();
-      this.#world.set(object, kept.copy(object.matrixWorld));
-    }
+    const world = new Map<Object3D, Matrix4>();
+    for (const object of this.#seen)
+      world.set(object, (this.#world.get(object) ?? new Matrix4()).copy(object.matrixWorld));
+    this.#world = world;
     this.#seen.clear();
     this.#drawn = frame;
   }

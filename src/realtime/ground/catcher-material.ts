@@ -38,17 +38,12 @@ import {
   type ShadedPoint,
 } from '../../material/light-shadows.ts';
 import { latticePoint } from '../../material/sampler.ts';
-import { repeat } from '../../material/statements.ts';
+import { type Assignable, keptFloat, repeat } from '../../material/statements.ts';
 import type { SkyShadow } from './sky-shadow.ts';
 
 type Float = Node<'float'>;
 type Vec2 = Node<'vec2'>;
 type Vec3 = Node<'vec3'>;
-
-interface Assignable {
-  assign(value: Node): void;
-  addAssign(value: Node): void;
-}
 
 /** Points of a rectangle that are looked at. */
 const RECTANGLE_POINTS = 48;
@@ -138,7 +133,7 @@ class CatcherLightingModel extends LightingModel {
     assign(this.whole, vec3(0));
     this.N = (cameraViewMatrix as unknown as Node<'mat4'>).mul(vec4(0, 1, 0, 0)).xyz.toVar() as Vec3;
     this.shadows = lightShadows(builder);
-    this.point = this.shadows && keptPoint(fragmentPoint());
+    this.point = this.shadows && fragmentPoint();
     super.start(builder);
   }
 
@@ -219,17 +214,3 @@ class CatcherLightingModel extends LightingModel {
 
 const assign = (variable: Node, value: Node) => (variable as unknown as Assignable).assign(value);
 const add = (variable: Node, value: Node) => (variable as unknown as Assignable).addAssign(value);
-
-/** Kept where it is computed: its derivatives do not hold inside branches. */
-function keptPoint({ position, normal, noise }: ShadedPoint): ShadedPoint {
-  const [P, N] = [vec3(0).toVar(), vec3(0).toVar()];
-  P.assign(position);
-  N.assign(normal);
-  return { position: P as unknown as Vec3, normal: N as unknown as Vec3, noise: keptFloat(noise) };
-}
-
-function keptFloat(value: Float): Float {
-  const kept = float(0).toVar();
-  kept.assign(value);
-  return kept as unknown as Float;
-}

@@ -1,7 +1,8 @@
 /**
  * What objects keep off the ground of the sky's light: a map of the ground. On a plane the shadow of a direction is a
  * projection, so that the objects are drawn onto the map along each of many directions, and what they cover is summed up by
- * colour: exact for each direction, whatever the objects' shapes, and more directions with every frame.
+ * colour: exact for each direction, whatever the objects' shapes, and more directions with every frame. Where things touch the
+ * ground all directions have one edge, which would be as coarse as the texels: so each is drawn with the map moved within a texel.
  */
 import { float, texture, uniform, vec4 } from 'three/tsl';
 import {
@@ -23,6 +24,7 @@ import {
 import { luminance } from '../../color/rec709.ts';
 import type { Caster } from '../effects/shadows/casters.ts';
 import { mapCamera } from '../effects/shadows/map-camera.ts';
+import { radicalInverse } from '../radical-inverse.ts';
 import { type Bounds, topOf } from './place.ts';
 import { ProjectedMaterials } from './projected-materials.ts';
 import type { SkyLight } from './sky-light.ts';
@@ -190,11 +192,16 @@ export class SkyShadow {
     const [a, b] = [x / y, z / y];
     // Higher than anything, so that nothing is cut off there.
     const depth = 0.5 / this.#top;
+    // The first point of the sequence is a corner: it begins with the second.
+    const [jx, jy] = [2, 3].map((base) => (2 * radicalInverse(this.#done + 1, base) - 1) / SIDE) as [
+      number,
+      number,
+    ];
     const [scale, shift] = coordinateSystem === WebGLCoordinateSystem ? [2, -1] : [1, 0];
     // biome-ignore format: a matrix, row by row
     return new Matrix4().set(
-      1 / ex, -a / ex, 0, (a * h - cx) / ex,
-      0, b / ez, -1 / ez, (cz - b * h) / ez,
+      1 / ex, -a / ex, 0, (a * h - cx) / ex + jx,
+      0, b / ez, -1 / ez, (cz - b * h) / ez + jy,
       0, scale * depth, 0, shift - scale * depth * h,
       0, 0, 0, 1,
     );

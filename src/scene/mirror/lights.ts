@@ -96,12 +96,25 @@ interface Entry {
   three: MirroredLight;
 }
 
+/** More than anybody deletes and wants back. */
+const MOST_GONE = 128;
+
 export class LightsMirror {
   readonly group = new THREE.Group();
   readonly #entries = new Map<string, Entry>();
+  /**
+   * What has gone and may come back by undo. Light is summed in the order in which three's lights were made: with others in
+   * their place the picture would be another in its last bit, and every material compiled anew.
+   */
+  readonly #gone = new Map<string, MirroredLight>();
 
   constructor() {
     this.group.name = 'lights';
+  }
+
+  /** What has gone does not come back. */
+  forget(): void {
+    this.#gone.clear();
   }
 
   apply(document: Document, before: Document | null): void {
@@ -128,7 +141,8 @@ export class LightsMirror {
   }
 
   #add(id: string, light: Light): void {
-    const three = kinds[light.type].create();
+    const three = this.#gone.get(keyOf(id, light.type)) ?? kinds[light.type].create();
+    this.#gone.delete(keyOf(id, light.type));
     setLight(three, light);
     this.#entries.set(id, { type: light.type, three });
     this.group.add(three);
@@ -137,14 +151,20 @@ export class LightsMirror {
   }
 
   #remove(id: string): void {
-    const three = this.#entries.get(id)?.three;
-    if (three === undefined) return;
+    const entry = this.#entries.get(id);
+    if (entry === undefined) return;
+    const { type, three } = entry;
     this.#entries.delete(id);
+    this.#gone.set(keyOf(id, type), three);
+    const [oldest] = this.#gone.keys();
+    if (oldest !== undefined && this.#gone.size > MOST_GONE) this.#gone.delete(oldest);
     three.removeFromParent();
     if ('target' in three) three.target.removeFromParent();
     three.dispose();
   }
 }
+
+const keyOf = (id: string, type: LightType) => `${type} ${id}`;
 
 function setLight<T extends LightType>(three: ThreeLights[T], source: LightOf<T>): void {
   const kind: Kinds[T] = kinds[source.type as T];

@@ -7,6 +7,7 @@ import { materialMaps } from '../material-schema.ts';
 import { findModel } from '../models.ts';
 import type { Asset, Document, Material, MaterialMap, TextureRef } from '../schema.ts';
 import { diff } from './diff.ts';
+import { Disposal } from './disposal.ts';
 import type { Pending } from './pending.ts';
 import type { TextureCache, TextureUse } from './textures.ts';
 
@@ -29,6 +30,7 @@ export class MaterialsMirror {
   made = 0;
   readonly #textures: TextureCache;
   readonly #pending: Pending;
+  readonly #disposal = new Disposal();
 
   constructor(textures: TextureCache, pending: Pending) {
     this.#textures = textures;
@@ -53,6 +55,7 @@ export class MaterialsMirror {
 
   dispose(): void {
     for (const id of [...this.#entries.keys()]) this.#remove(id);
+    this.#disposal.dispose();
   }
 
   #create(id: string, source: Material, document: Document): void {
@@ -93,7 +96,7 @@ export class MaterialsMirror {
     if (entry === undefined) return;
     this.#entries.delete(id);
     for (const { use } of entry.slots.values()) use.release();
-    entry.material.dispose();
+    this.#disposal.later(entry.material);
   }
 
   #showTerm({ view }: Document): void {

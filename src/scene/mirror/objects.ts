@@ -15,17 +15,32 @@ interface Entry {
 
 type MaterialOf = (id: string) => THREE.Material | undefined;
 
+/** Until its material is known, and when it has gone. */
+const NOTHING = new THREE.MeshBasicMaterial();
+/** More than anybody deletes and wants back. */
+const MOST_GONE = 2048;
+
 export class ObjectsMirror {
   readonly group = new THREE.Group();
   readonly #entries = new Map<string, Entry>();
   readonly #ids = new WeakMap<THREE.Object3D, string>();
   readonly #geometries: GeometryCache;
   readonly #materialOf: MaterialOf;
+  /**
+   * What has gone and may come back by undo. Of things at the same depth, such as a copy in the place of its original, that is
+   * seen whose mesh was made first: another mesh in its place would be another picture.
+   */
+  readonly #gone = new Map<string, THREE.Mesh>();
 
   constructor(geometries: GeometryCache, materialOf: MaterialOf) {
     this.#geometries = geometries;
     this.#materialOf = materialOf;
     this.group.name = 'objects';
+  }
+
+  /** What has gone does not come back. */
+  forget(): void {
+    this.#gone.clear();
   }
 
   apply(document: Document, before: Document | null): void {
@@ -62,7 +77,8 @@ export class ObjectsMirror {
   }
 
   #add(id: string, object: SceneObject, document: Document): void {
-    const mesh = new THREE.Mesh(new THREE.BufferGeometry());
+    const mesh = this.#gone.get(id) ?? new THREE.Mesh(new THREE.BufferGeometry(), NOTHING);
+    this.#gone.delete(id);
     mesh.castShadow = true;
     // Shown when its geometry has come; see #setGeometry.
     mesh.visible = false;
@@ -116,8 +132,15 @@ export class ObjectsMirror {
     const entry = this.#entries.get(id);
     if (entry === undefined) return;
     this.#entries.delete(id);
-    entry.geometry?.release();
-    entry.mesh.removeFromParent();
+    const { mesh, geometry } = entry;
+    geometry?.release();
+    mesh.removeFromParent();
+    // It keeps its place in the order, and nothing else.
+    mesh.geometry = new THREE.BufferGeometry();
+    mesh.material = NOTHING;
+    this.#gone.set(id, mesh);
+    const [oldest] = this.#gone.keys();
+    if (oldest !== undefined && this.#gone.size > MOST_GONE) this.#gone.delete(oldest);
   }
 }
 

@@ -58,8 +58,18 @@ function readSun(table: Float64Array, offset: number, place: number, out: Float6
 function read(table: Float64Array, height: number, sun: number, out: Float64Array): void {
   const i = Math.min(Math.floor(height), HEIGHTS - 2);
   const t = height - i;
-  readSun(table, i * LAYER, sun, out, 1 - t);
-  readSun(table, (i + 1) * LAYER, sun, out, t);
+  const s = Math.min(Math.floor(sun), ELEVATIONS - 2);
+  const [farBelow, farAbove] = [(1 - t) * (sun - s), t * (sun - s)];
+  const [nearBelow, nearAbove] = [1 - t - farBelow, t - farAbove];
+  const below = i * LAYER + s * BANDS;
+  const above = below + LAYER;
+  for (let b = 0; b < BANDS; b += 1)
+    out[b] =
+      out[b]! +
+      nearBelow * table[below + b]! +
+      farBelow * table[below + BANDS + b]! +
+      nearAbove * table[above + b]! +
+      farAbove * table[above + BANDS + b]!;
 }
 const LAYER = ELEVATIONS * BANDS;
 

@@ -1,8 +1,8 @@
 import { describe, expect, test } from 'vitest';
 import { loadModel, shippedModels } from '../../../models/index.ts';
 import { type Fit, fitModel } from '../../../src/analysis/fit/fit.ts';
+import { createQuickEvaluator } from '../../../src/analysis/quick-evaluator.ts';
 import type { ParameterValue, ParameterValues } from '../../../src/brdf/model.ts';
-import { createEvaluator } from '../../../src/glsl/evaluator.ts';
 import type { Model } from '../../../src/glsl/model.ts';
 import { loadMeasured } from '../../../src/scene/measured.ts';
 import { writeMerl } from '../../io/merl-writer.ts';
@@ -74,11 +74,8 @@ describe('known parameters', () => {
 
 test('measurements in the format of the MERL database', async () => {
   const truth = { albedo: [0.7, 0.3, 0.1], kd: 0.6, metallic: 0.2, roughness: 0.2, ior: 1.8 } as const;
-  const original = createEvaluator(cookTorrance, truth);
-  const model = loadMeasured(
-    writeMerl((L, V) => original.f(L, V)),
-    'red gloss.binary',
-  );
+  const original = createQuickEvaluator(cookTorrance, truth).term('BRDF');
+  const model = loadMeasured(writeMerl(original), 'red gloss.binary');
   const fit = await fitModel({ model }, cookTorrance);
   // Linear interpolation between the database's bins is what is left.
   expectNear(fit.parameters, truth, 0.03);

@@ -18,6 +18,7 @@ beforeAll(async () => {
       }),
     ],
     ['/m/near.bin', 'bin'],
+    ['/m/download/17', '#?RADIANCE\n'],
   ]);
   server = await startStaticServer({ files, port: 0 });
 });
@@ -31,6 +32,11 @@ describe('a file from an address', () => {
   test('comes with what it refers to, and with what that does; what is missing is left out', async () => {
     const files = await fetchFiles(`${server.url}m/wall.obj`, progress);
     expect(files.map(({ path }) => path)).toEqual(['wall.obj', 'wall.mtl', 'maps/wood grain.png']);
+  });
+
+  test('is what it begins as, where its address does not say', async () => {
+    const files = await fetchFiles(`${server.url}m/download/17`, progress);
+    expect(files.map(({ path }) => path)).toEqual(['17.hdr']);
   });
 
   test('makes nobody ask other servers', async () => {

@@ -48,6 +48,8 @@ describe('what other rooms wrote, in Spanish', () => {
     // A material of that name, and what it got from the library of substances.
     expect(translated(spanish, 'Metallic: Gold, Au')).toBe('Metallic: Oro, Au');
     expect(translated(spanish, 'Kaput')).toBe('Kaput');
+    // What is selected, without an edit.
+    expect(translated(spanish, '1 light and 2 objects')).toBe('1 luz y 2 objetos');
   });
 
   test('faults keep their place; what is wrong and what was expected are Spanish', () => {

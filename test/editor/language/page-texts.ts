@@ -26,7 +26,7 @@ export const editorFiles = (): SourceFile[] =>
 export function pageTexts(files: readonly SourceFile[]): PageText[] {
   const found: PageText[] = [];
   for (const file of files)
-    for (const [node] of walk(file.root)) {
+    for (const node of walk(file.root)) {
       if (node.type !== 'CallExpression') continue;
       const name = calleeOf(node);
       if (name !== 't' && name !== 'plural') continue;

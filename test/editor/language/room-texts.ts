@@ -11,7 +11,10 @@ import { presetNames, presets } from '../../../src/scene/effect-presets.ts';
 import { fieldInfo } from '../../../src/scene/fields.ts';
 import { geometryNames } from '../../../src/scene/geometry-schema.ts';
 import { lightDefaults } from '../../../src/scene/light-schema.ts';
+import { patternNames } from '../../../src/scene/pattern/asset.ts';
+import { shapeOf } from '../../../src/scene/pattern/pattern.ts';
 import { environmentPresets } from '../../../src/scene/presets.ts';
+import { arrangements } from '../../../src/scene/studio-arrangements.ts';
 import { argumentsOf, calleeOf, type SyntaxNode, sourceFiles, textsOf, walk } from './source-texts.ts';
 
 export interface RoomText {
@@ -36,6 +39,13 @@ export async function roomTexts(): Promise<RoomText[]> {
       { text: presets[name].description, from: 'presets' },
     ]),
     ...environmentPresets.map((name) => ({ text: wordsOf(name), from: 'environments' })),
+    ...Object.values(arrangements).flatMap(({ title, description }) =>
+      [title, description].map((text) => ({ text, from: 'studio' })),
+    ),
+    ...patternNames.flatMap((name) => [
+      { text: wordsOf(name), from: 'patterns' },
+      ...shapeTexts(shapeOf(name), 'patterns'),
+    ]),
     ...Object.values(geometryNames).map((text) => ({ text, from: 'geometries' })),
     ...Object.values(lightDefaults).map(({ name }) => ({ text: name, from: 'lights' })),
     ...RULES.flatMap(textsByRule),
@@ -99,6 +109,8 @@ interface Rule {
   /** Of object literals. */
   readonly properties?: readonly string[];
   readonly variables?: readonly string[];
+  /** They are names, which the page writes as labels. */
+  readonly areNames?: boolean;
 }
 
 const RULES: readonly Rule[] = [
@@ -141,15 +153,17 @@ const RULES: readonly Rule[] = [
     calls: { fold: [0], progress: [0], ModelFileError: [2], listener: [0] },
     properties: ['failure'],
   },
-  { folder: 'src/realtime', calls: { '.mark': [0] } },
+  { folder: 'src/realtime', calls: { '.mark': [0] }, areNames: true },
+  { folder: 'src/editor/viewport', calls: { '.mark': [0] }, areNames: true },
 ];
 
-function textsByRule({ folder, calls = {}, properties = [], variables = [] }: Rule): RoomText[] {
+function textsByRule({ folder, calls = {}, properties = [], variables = [], areNames }: Rule): RoomText[] {
+  const shown = areNames ? wordsOf : (text: string) => text;
   return sourceFiles(folder).flatMap((file) => {
     const found: RoomText[] = [];
-    for (const [node] of walk(file.root)) {
+    for (const node of walk(file.root)) {
       const read = (part: SyntaxNode | undefined) => {
-        if (part) found.push(...textsOf(part).map((text) => ({ text, from: file.path })));
+        if (part) found.push(...textsOf(part).map((text) => ({ text: shown(text), from: file.path })));
       };
       if (node.type === 'CallExpression' || node.type === 'NewExpression') {
         for (const index of calls[calleeOf(node)] ?? []) read(argumentsOf(node)[index]);
@@ -182,6 +196,7 @@ export const COMPOSED: readonly string[] = [
   'expected {expected}',
   '{message} (and {count} more)',
   'line {line}',
+  'the environment "{name}" did not come; without a network only what was loaded before is there',
   'byte {byte}',
   'Invalid input',
   'Invalid input: expected {type}, received {received}',

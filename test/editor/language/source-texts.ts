@@ -28,11 +28,20 @@ export function sourceFiles(folder: string): SourceFile[] {
     .map((entry) => `${entry.parentPath}/${entry.name}`)
     .toSorted()
     .map((file) => {
-      const text = readFileSync(file, 'utf8');
-      const { program, errors } = parseSync(file, text);
-      if (errors.length > 0) throw new Error(`${file}: ${errors[0]?.message}`);
-      return { path: relative(repository, file), text, root: program as unknown as SyntaxNode };
+      const source = parsed.get(file) ?? parse(file);
+      parsed.set(file, source);
+      return source;
     });
+}
+
+/** Several rules look at the same folders. */
+const parsed = new Map<string, SourceFile>();
+
+function parse(file: string): SourceFile {
+  const text = readFileSync(file, 'utf8');
+  const { program, errors } = parseSync(file, text);
+  if (errors.length > 0) throw new Error(`${file}: ${errors[0]?.message}`);
+  return { path: relative(repository, file), text, root: program as unknown as SyntaxNode };
 }
 
 export const isNode = (value: unknown): value is SyntaxNode =>
@@ -41,15 +50,16 @@ export const isNode = (value: unknown): value is SyntaxNode =>
 const nodesOf = (value: unknown): SyntaxNode[] =>
   Array.isArray(value) ? value.filter(isNode) : isNode(value) ? [value] : [];
 
-/** Every node below this one, with those that it is in, the innermost last. Types have no texts. */
-export function* walk(
-  node: SyntaxNode,
-  around: readonly SyntaxNode[] = [],
-): Generator<[node: SyntaxNode, around: readonly SyntaxNode[]]> {
-  if (/^TS(Type|Interface|Literal|Union)/.test(node.type)) return;
-  yield [node, around];
-  for (const value of Object.values(node))
-    for (const child of nodesOf(value)) yield* walk(child, [...around, node]);
+/** This node and every one below it, outer ones first. Types have no texts. */
+export function walk(root: SyntaxNode): readonly SyntaxNode[] {
+  const found: SyntaxNode[] = [];
+  const visit = (node: SyntaxNode): void => {
+    if (/^TS(Type|Interface|Literal|Union)/.test(node.type)) return;
+    found.push(node);
+    for (const value of Object.values(node)) for (const child of nodesOf(value)) visit(child);
+  };
+  visit(root);
+  return found;
 }
 
 /** `t`, `toast`; of a method `.edit`; of a class its name. */
@@ -134,6 +144,6 @@ function holeOf(node: SyntaxNode): string {
       return holeOf(callee.object as SyntaxNode);
   }
   let name = 'value';
-  for (const [inner] of walk(node)) if (inner.type === 'Identifier') name = String(inner.name);
+  for (const inner of walk(node)) if (inner.type === 'Identifier') name = String(inner.name);
   return `{${name}}`;
 }

@@ -57,7 +57,7 @@ export function untranslated(file: SourceFile): Untranslated[] {
     const place = `${file.path}:${lineOf(file, node)}`;
     found.push(...textsOf(node).map((text) => ({ text, place })));
   };
-  for (const [node] of walk(file.root)) {
+  for (const node of walk(file.root)) {
     if (node.type === 'CallExpression') {
       const [callee, given] = [calleeOf(node), argumentsOf(node)];
       if (callee === 'h') for (const child of given.slice(2)) read(child);

@@ -20,7 +20,7 @@ export function workerImports(files: readonly SourceFile[]): string[] {
 /** Modules of relative addresses, those of types apart. */
 function importsOf({ root }: SourceFile): string[] {
   const found: string[] = [];
-  for (const [node] of walk(root)) {
+  for (const node of walk(root)) {
     if (!/^(Import(Declaration|Expression)|Export(Named|All)Declaration)$/.test(node.type)) continue;
     if (node.importKind === 'type' || node.exportKind === 'type' || onlyTypes(node)) continue;
     const module = isNode(node.source) ? literalOf(node.source) : null;

@@ -45,6 +45,8 @@ describe.each(lessons)('$name', ({ en, es, scene }) => {
         const kinds = new Set(blocks.map(({ kind }) => kind));
         // Each step has something to see or to do.
         expect(kinds.has('do') || kinds.has('see') || kinds.has('question'), title).toBe(true);
+        const clickable = blocks.some((block) => block.kind === 'formula' && block.terms.size > 0);
+        expect(clickable, `${title}: a formula whose terms can be clicked`).toBe(true);
       }
     }
   });

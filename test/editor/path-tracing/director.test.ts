@@ -1,4 +1,4 @@
-import { describe, expect, it } from 'vitest';
+import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest';
 import { fromAttributes } from '../../../src/cli/render/record.ts';
 import type { Denoise } from '../../../src/editor/path-tracing/denoiser.ts';
 import { Director } from '../../../src/editor/path-tracing/director.ts';
@@ -100,8 +100,12 @@ function setup(
   };
 }
 
-/** Every promise that can go on has gone on. */
-const quiet = () => new Promise((resolve) => setTimeout(resolve, 20));
+/** Every promise that can go on has gone on: none waits for more than others. */
+const quiet = () => new Promise((resolve) => setTimeout(resolve));
+
+// A busy machine would take the time that makes passes shorter.
+beforeEach(() => void vi.spyOn(performance, 'now').mockReturnValue(0));
+afterEach(() => void vi.restoreAllMocks());
 
 describe('the director', () => {
   it('packs, renders 1, 1, 2, 4 samples up to the goal, and shows the mean', async () => {

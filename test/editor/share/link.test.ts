@@ -1,6 +1,6 @@
 import { deflateRawSync } from 'node:zlib';
 import fc from 'fast-check';
-import { describe, expect, it } from 'vitest';
+import { describe, expect, it, vi } from 'vitest';
 import { loadScene, sceneNames } from '../../../scenes/index.ts';
 import { documentOfLink, isLink, MAX_ADDRESS, MAX_TEXT } from '../../../src/editor/share/link.ts';
 import { linkFor } from '../../../src/editor/share/link-text.ts';
@@ -87,7 +87,93 @@ describe('a link', () => {
   it('that holds too much is not unpacked to its end', async () => {
     // 16 MB of spaces; a bomb's JSON would even be valid.
     const bomb = deflateRawSync(Buffer.alloc(4 * MAX_TEXT, 0x20));
+    const decode = vi.spyOn(TextDecoder.prototype, 'decode');
     await expect(documentOfLink(fragmentOf(bomb))).rejects.toThrow('more than 4 MB');
+    const bytes = decode.mock.calls.reduce((sum, [part]) => sum + (part?.byteLength ?? 0), 0);
+    decode.mockRestore();
+    expect(bytes).toBeLessThan(2 * MAX_TEXT);
+  });
+
+  const linked = (content: object | string) =>
+    fragmentOf(deflateRawSync(typeof content === 'string' ? content : JSON.stringify(content)));
+  const document = (content: object) => linked({ format: 'irradia', version: 1, ...content });
+  const shader = (code: string) =>
+    document({ models: { mine: { source: `analytic\n::begin shader\n${code}\n::end shader\n` } } });
+  const brdf = (body: string) => shader(`vec3 BRDF(vec3 L, vec3 V, vec3 N, vec3 X, vec3 Y) {\n${body}\n}`);
+  const spheres = (count: number) => ({
+    materials: { m: { model: 'lambert' } },
+    objects: Object.fromEntries(
+      Array.from({ length: count }, (_, i) => [
+        `o${i}`,
+        {
+          material: 'm',
+          geometry: { type: 'sphere', radius: 1 + i, widthSegments: 512, heightSegments: 512 },
+        },
+      ]),
+    ),
+  });
+  const doubling = Array.from(
+    { length: 30 },
+    (_, i) => `float f${i + 1}(float x) { return f${i}(x) + f${i}(.5 * x); }`,
+  ).join('\n');
+  const inside = 'vec3 BRDF(vec3 L, vec3 V, vec3 N, vec3 X, vec3 Y)';
+
+  it.each([
+    ['brackets without end', linked('['.repeat(1e6)), /not JSON/],
+    [
+      'too deep',
+      linked(`{"format":"irradia","version":1,"x":${'['.repeat(1e5)}${']'.repeat(1e5)}}`),
+      /levels/,
+    ],
+    ['a prototype', linked('{"format":"irradia","version":1,"materials":{"__proto__":{}}}'), /__proto__/],
+    [
+      'a prototype’s parameter',
+      document({ materials: { m: { model: 'lambert', parameters: { toString: 1 } } } }),
+      /no such parameter/,
+    ],
+    ['a prototype as its model', document({ materials: { m: { model: 'constructor' } } }), /no model/],
+    ['objects without number', document(spheres(20_001)), /at most 20000/],
+    ['triangles without number', document(spheres(2000)), /together .* triangles/],
+    ['groups without end', document({ groups: { a: { parent: 'b' }, b: { parent: 'a' } } }), /in itself/],
+    ['an endless loop', brdf('vec3 s = vec3(0.); for (;;) s += .1; return s;'), /constant bounds/],
+    [
+      'a loop that stands still',
+      brdf('vec3 s = vec3(0.); for (float i = 0.; i < 1.; i += 0.) s += .1; return s;'),
+      /constant bounds/,
+    ],
+    [
+      'loops in loops',
+      brdf(
+        'vec3 s = vec3(0.); for (int i = 0; i < 4000; i++) for (int j = 0; j < 4000; j++) s += .1; return s;',
+      ),
+      /does too much/,
+    ],
+    [
+      'calls without number',
+      shader(`float f0(float x) { return x; }\n${doubling}\n${inside} { return vec3(f30(1.)); }`),
+      /does too much/,
+    ],
+    [
+      'a function that calls itself',
+      shader(`float f(float x) { return f(x); }\n${inside} { return vec3(f(1.)); }`),
+      /calls itself/,
+    ],
+    ['brackets in a shader', brdf(`return vec3(${'('.repeat(1e5)}1.${')'.repeat(1e5)});`), /too long/],
+    ['memory without end', brdf('float x[100000000]; return vec3(x[0]);'), /from 1 to 4096/],
+    ['a file of the server’s', shader('::include ../../../../etc/passwd'), /no file/],
+    [
+      'an address for an environment',
+      document({ environment: { source: { type: 'preset', name: 'https://example.com/x.hdr' } } }),
+      /environment\.source\.name/,
+    ],
+    [
+      'a media type with a header',
+      document({ assets: { a: { name: 'a', mediaType: 'text/html;charset=x', data: '' } } }),
+      /mediaType/,
+    ],
+    ['an infinite number', linked('{"format":"irradia","version":1,"camera":{"fov":1e999}}'), /camera\.fov/],
+  ])('with %s is refused', async (_, link, message) => {
+    await expect(documentOfLink(link)).rejects.toThrow(message);
   });
 
   it.each([
@@ -95,6 +181,11 @@ describe('a link', () => {
     ['not base64', async () => '#document=<script>', /damaged/],
     ['not deflated', async () => fragmentOf(Buffer.from('hello')), /damaged/],
     ['no text', async () => fragmentOf(deflateRawSync(Buffer.from([0xff, 0xfe, 0x80]))), /damaged/],
+    [
+      'cut within a letter',
+      async () => fragmentOf(deflateRawSync(Buffer.concat([Buffer.from('{}'), Buffer.from([0xc3])]))),
+      /damaged/,
+    ],
     ['empty', async () => '#document=', /damaged|not JSON/],
     ['another format', async () => fragmentOf(deflateRawSync('{"format":"x"}')), /not an Irradia document/],
   ])('that is %s is refused', async (_, link, message) => {

@@ -12,7 +12,14 @@ import {
   turnOf,
   worldAxes,
 } from '../../../src/editor/viewport/gizmo/frame.ts';
-import { type GizmoTool, handleAt, handlesOf, SIZES } from '../../../src/editor/viewport/gizmo/handles.ts';
+import {
+  type GizmoTool,
+  type Handle,
+  type HandleId,
+  handleAt,
+  handlesOf,
+  SIZES,
+} from '../../../src/editor/viewport/gizmo/handles.ts';
 import { canBe, frameOf, moversOf } from '../../../src/editor/viewport/gizmo/movers.ts';
 import {
   changed,
@@ -28,6 +35,8 @@ import type { Pixel } from '../../../src/editor/viewport/projector.ts';
 import { addLight, addObject } from '../../../src/scene/commands.ts';
 import { createDocument } from '../../../src/scene/document.ts';
 import { DocumentStore } from '../../../src/scene/store.ts';
+
+const STEPS = { move: 0.1, rotate: 15, scale: 0.1 };
 
 const random = createRandom(7);
 const between = (low: number, high: number) => low + (high - low) * random();
@@ -107,6 +116,16 @@ describe('angles of a turn', () => {
       ] as Triple[])
         expect(distance(rotation)).toBeLessThanOrEqual(distance(other) + 1e-6);
     }));
+
+  it('keep the third where the second is 90 or -90 degrees and only a sum is known', () => {
+    for (const before of [
+      [20, 90, 50],
+      [20, -90, 50],
+    ] as Triple[]) {
+      const rotation = nearestRotation(turnOf(before), before);
+      for (const [i, degrees] of before.entries()) expect(rotation[i]).toBeCloseTo(degrees, 4);
+    }
+  });
 
   it('run on through 90 degrees about the second axis', () => {
     let rotation: Triple = [0, 0, 0];
@@ -198,7 +217,7 @@ describe('a drag', () => {
         const axis = frame.axes[i] as Vector3;
         if (Math.abs(axis.dot(camera.getWorldDirection(new Vector3()))) > 0.9) continue;
         const grabbed = frame.pivot.clone().addScaledVector(axis, 0.4);
-        const drag = startDrag('move', id, frame, view, over(camera, grabbed));
+        const drag = startDrag('move', id, frame, view, over(camera, grabbed), STEPS);
         const change = drag(over(camera, grabbed.clone().addScaledVector(axis, 0.7)), false);
         if (change?.type !== 'move') throw new Error('no move');
         expect(change.offset.distanceTo(axis.clone().multiplyScalar(0.7))).toBeLessThan(1e-6);
@@ -208,11 +227,11 @@ describe('a drag', () => {
   it('in a plane and in the screen’s plane follows the pointer', () => {
     const { camera, view } = scene(level);
     const grabbed = level.pivot.clone();
-    const plane = startDrag('move', 'zx', level, view, over(camera, grabbed));
+    const plane = startDrag('move', 'zx', level, view, over(camera, grabbed), STEPS);
     const change = plane(over(camera, grabbed.clone().add(new Vector3(0.5, 0, -0.8))), false);
     if (change?.type !== 'move') throw new Error('no move');
     expect(change.offset.distanceTo(new Vector3(0.5, 0, -0.8))).toBeLessThan(1e-6);
-    const screen = startDrag('move', 'centre', level, view, over(camera, grabbed));
+    const screen = startDrag('move', 'centre', level, view, over(camera, grabbed), STEPS);
     const [right, up] = [new Vector3(), new Vector3()];
     camera.matrixWorld.extractBasis(right, up, new Vector3());
     const to = grabbed.clone().addScaledVector(right, 0.4).addScaledVector(up, -0.2);
@@ -224,11 +243,11 @@ describe('a drag', () => {
   it('goes in steps of 0.1 m, 15 degrees and 0.1', () => {
     const { camera, view } = scene(level);
     const grabbed = level.pivot.clone().add(new Vector3(0.4, 0, 0));
-    const move = startDrag('move', 'x', level, view, over(camera, grabbed));
+    const move = startDrag('move', 'x', level, view, over(camera, grabbed), STEPS);
     const moved = move(over(camera, grabbed.clone().add(new Vector3(0.372, 0, 0))), true);
     if (moved?.type !== 'move') throw new Error('no move');
     expect(moved.offset.x).toBeCloseTo(0.4, 9);
-    const turn = startDrag('rotate', 'y', level, view, over(camera, grabbed));
+    const turn = startDrag('rotate', 'y', level, view, over(camera, grabbed), STEPS);
     const turnedTo = (degrees: number) =>
       grabbed
         .clone()
@@ -237,7 +256,7 @@ describe('a drag', () => {
         .add(level.pivot);
     const turned = turn(over(camera, turnedTo(38)), true);
     expect(turned?.type === 'turn' && (turned.angle * 180) / Math.PI).toBeCloseTo(45, 9);
-    const scale = startDrag('scale', 'x', level, view, over(camera, grabbed));
+    const scale = startDrag('scale', 'x', level, view, over(camera, grabbed), STEPS);
     const scaled = scale(over(camera, grabbed.clone().add(new Vector3(0.11, 0, 0))), true);
     expect(scaled?.type === 'scale' && scaled.factors[0]).toBeCloseTo(1.3, 9);
   });
@@ -251,7 +270,7 @@ describe('a drag', () => {
           .applyAxisAngle(new Vector3(0, 1, 0), (degrees * Math.PI) / 180)
           .add(level.pivot),
       );
-    const drag = startDrag('rotate', 'y', level, view, at(0));
+    const drag = startDrag('rotate', 'y', level, view, at(0), STEPS);
     let angle = 0;
     for (let degrees = 0; degrees <= 500; degrees += 20) {
       const change = drag(at(degrees), false);
@@ -263,16 +282,57 @@ describe('a drag', () => {
   it('along a ring that is seen from its edge turns the near side with the pointer', () => {
     const { camera, view } = scene(level, new Vector3(0, 0.1, 6));
     const near = level.pivot.clone().add(new Vector3(0, 0, 0.5));
-    const drag = startDrag('rotate', 'y', level, view, over(camera, near));
+    const drag = startDrag('rotate', 'y', level, view, over(camera, near), STEPS);
     const change = drag(over(camera, near.clone().add(new Vector3(0.1, 0, 0))), false);
-    // The near side goes to the right: counter-clockwise from above.
-    expect(change?.type === 'turn' && change.angle).toBeGreaterThan(0.05);
+    // The near side goes to the right: counter-clockwise from above. The radius on the screen is one radian, seen at the pivot.
+    const [from, to] = [near, near.clone().add(new Vector3(0.1, 0, 0))].map(
+      (point) => over(camera, point).at.x,
+    );
+    const expected = (to! - from!) / SIZES.ring;
+    expect(change?.type === 'turn' && change.angle).toBeCloseTo(expected, 3);
+    // In the ring's plane the pointer would be far away, or nowhere.
+    const above = drag(over(camera, near.clone().add(new Vector3(0.1, 0.3, 0))), false);
+    expect(above?.type === 'turn' && above.angle).toBeCloseTo(expected, 1);
+  });
+
+  it('goes in other steps, and no scale in steps is less than one', () => {
+    const { camera, view } = scene(level);
+    const at = (x: number) => over(camera, level.pivot.clone().add(new Vector3(x, 0, 0)));
+    const coarse = { move: 0.5, rotate: 45, scale: 0.25 };
+    const scale = startDrag('scale', 'x', level, view, at(0.4), coarse);
+    const factorAt = (x: number) => {
+      const change = scale(at(x), true);
+      return change?.type === 'scale' ? change.factors[0] : null;
+    };
+    expect([factorAt(0.49), factorAt(0.01), factorAt(-1)]).toEqual([1.25, 0.25, 0.25]);
+    const moved = startDrag('move', 'x', level, view, at(0), coarse)(at(0.7), true);
+    expect(moved?.type === 'move' && moved.offset.x).toBeCloseTo(0.5, 9);
+  });
+
+  it('of the square between two axes scales along its diagonal', () => {
+    const { camera, view } = scene(level);
+    const at = (x: number, y: number) => over(camera, level.pivot.clone().add(new Vector3(x, y, 0)));
+    const drag = startDrag('scale', 'xy', level, view, at(0.3, 0.3), STEPS);
+    const factorsAt = (x: number, y: number) => {
+      const change = drag(at(x, y), false);
+      return change?.type === 'scale' ? change.factors : [];
+    };
+    for (const [x, y] of [
+      [0.6, 0.6],
+      [0.9, 0.3],
+      [0.2, 1],
+    ] as const) {
+      const [fx, fy, fz] = factorsAt(x, y);
+      expect([fx, fy]).toEqual([fy, fx]);
+      expect(fx).toBeCloseTo(2, 6);
+      expect(fz).toBe(1);
+    }
   });
 
   it('never turns anything inside out', () => {
     const { camera, view } = scene(level);
     const grabbed = level.pivot.clone().add(new Vector3(0.4, 0, 0));
-    const drag = startDrag('scale', 'x', level, view, over(camera, grabbed));
+    const drag = startDrag('scale', 'x', level, view, over(camera, grabbed), STEPS);
     const change = drag(over(camera, level.pivot.clone().add(new Vector3(-1, 0, 0))), false);
     expect(change?.type === 'scale' && change.factors).toEqual([0.01, 1, 1]);
   });
@@ -353,6 +413,23 @@ describe('the handles', () => {
         if (centre) expect(handleAt(handles, { x: centre.x + 130, y: centre.y + 130 }, 7)).toBeNull();
       }
     }));
+
+  it('are grabbed where they are nearest, and not where they are hardly seen', () => {
+    const line = (id: HandleId, y: number, strength = 1): Handle => ({
+      ...{ id, area: false, away: [], depth: 0, strength },
+      points: [
+        { x: 0, y },
+        { x: 100, y },
+      ],
+    });
+    const at = { x: 50, y: 2 };
+    expect(handleAt([line('x', 0), line('y', 7)], at, 7)).toBe('x');
+    expect(handleAt([line('y', 7), line('x', 0)], at, 7)).toBe('x');
+    expect(handleAt([line('x', 0, 0.2), line('y', 7)], at, 7)).toBe('y');
+    expect(handleAt([line('x', 0, 0.2)], at, 7)).toBeNull();
+    // Of two that are as near, the later one is in front.
+    expect(handleAt([line('x', 0), line('z', 0)], at, 7)).toBe('z');
+  });
 
   it('are as large near as far away', () => {
     for (const distance of [1, 10, 80]) {

@@ -24,7 +24,6 @@ import { type MeshQuestion, meshAnswers } from '../../../src/editor/viewport/mes
 import { buildMeshTree, firstHit, type MeshTree } from '../../../src/editor/viewport/meshes/mesh-tree.ts';
 import { Meshes, SMALL, triangleCount } from '../../../src/editor/viewport/meshes/meshes.ts';
 import type { Shape } from '../../../src/editor/viewport/meshes/shape.ts';
-import { meshEdges } from '../../../src/editor/viewport/outline/mesh-edges.ts';
 import { fallOf, worldTriangles } from '../../../src/editor/viewport/placing/fall.ts';
 import {
   isInRectangle,
@@ -164,32 +163,26 @@ describe('of meshes', () => {
   it('small ones are looked at at once', () => {
     const { meshes, workers } = meshesWithWorkers();
     const sphere = new SphereGeometry(1, 16, 8);
-    expect(meshes.edges(sphere, () => {})).toEqual(
-      meshEdges(shapeOf(sphere).positions, shapeOf(sphere).index),
-    );
     const mesh = new Mesh(sphere);
     expect(meshes.fall([{ mesh, middle: 0 }], [])).toBeCloseTo(-1, 6);
     expect(workers).toHaveLength(0);
   });
 
-  it('large ones have edges when the thread has found them, and the thread is asked once', async () => {
+  it('large ones have a tree when the thread has made it, and the thread is asked once', async () => {
     const { meshes, workers } = meshesWithWorkers();
     const geometry = large();
     expect(triangleCount(geometry)).toBeGreaterThan(SMALL);
-    const told = new Promise<void>((resolve) => {
-      expect(meshes.edges(geometry, resolve)).toBeNull();
-    });
-    expect(meshes.edges(geometry, () => expect.unreachable())).toBeNull();
-    await told;
-    const { positions, index } = shapeOf(geometry);
-    expect(meshes.edges(geometry, () => {})).toEqual(meshEdges(positions, index));
-    await meshes.tree(geometry);
-    expect(meshes.tree(geometry)).toEqual(await treeOf({ positions, index }));
+    const asked = meshes.tree(geometry);
+    expect(asked).toBeInstanceOf(Promise);
+    expect(meshes.tree(geometry)).toBe(asked);
+    await asked;
+    expect(meshes.tree(geometry)).toEqual(await treeOf(shapeOf(geometry)));
+    await meshes.fall([{ mesh: new Mesh(geometry), middle: 0 }], []);
     // Its triangles went there with the first question alone.
     expect(workers).toHaveLength(1);
-    expect(workers[0]?.asked.map((one) => [one.kind, 'mesh' in one && one.mesh.shape !== null])).toEqual([
-      ['edges', true],
-      ['tree', false],
+    expect(workers[0]?.asked).toMatchObject([
+      { kind: 'tree', mesh: { shape: {} } },
+      { kind: 'fall', bodies: [{ mesh: { shape: null } }] },
     ]);
   });
 

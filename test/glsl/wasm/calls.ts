@@ -29,13 +29,22 @@ export function modelCalls(
 ): (name: string, parameters: ParameterValues, ...args: (readonly number[])[]) => readonly number[] {
   const functions = new Map(names.map((name) => [name, findFunction(model, name) as FunctionIR] as const));
   const { exports } = instantiate([...functions.values()], model.data ?? undefined);
+  const numbersOf = (name: string, parameters: ParameterValues): readonly number[] =>
+    (functions.get(name) as FunctionIR).uses
+      .flatMap((variable) =>
+        variable.type === TABLE
+          ? [0, (model.data as Float32Array).length / 3]
+          : [parameters[variable.name]].flat(),
+      )
+      .map(Number);
+  // Of a material there are thousands of calls.
+  const known = new WeakMap<ParameterValues, Map<string, readonly number[]>>();
   return (name, parameters, ...args) => {
-    const values = (functions.get(name) as FunctionIR).uses.map((variable) =>
-      variable.type === TABLE
-        ? [0, (model.data as Float32Array).length / 3]
-        : [parameters[variable.name]].flat(),
-    );
-    const result = exports[name]?.(...args.flat(), ...values.flat().map(Number));
+    const ofParameters = known.get(parameters) ?? new Map<string, readonly number[]>();
+    known.set(parameters, ofParameters);
+    const values = ofParameters.get(name) ?? numbersOf(name, parameters);
+    ofParameters.set(name, values);
+    const result = exports[name]?.(...args.flat(), ...values);
     return Array.isArray(result) ? result : [result as number];
   };
 }

@@ -49,7 +49,7 @@ const cases: Record<string, ReturnType<typeof document>> = {
   'shadows on the ground': {
     ...document({ shadows: { enabled: true } }),
     ground: { shadowCatcher: true },
-    environment: { source: { type: 'constant', color: [1, 0.8, 0.6] } },
+    environment: { source: { type: 'constant', color: [1, 0.8, 0.6] }, samples: 4 },
     background: { type: 'color', color: [0.5, 0.5, 0.5] },
     camera: { fov: 50, position: [0.4, 3, 4], target: [0, -0.8, -0.4], fStop: 0 },
   },

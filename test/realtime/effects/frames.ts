@@ -20,6 +20,9 @@ export interface Picture {
   pixels: Float32Array;
 }
 
+/** A frame's: a clock would make what moves depend on how busy the machine is. */
+const SECONDS = 1 / 60;
+
 /** Draws documents with one renderer: float radiance, one sample a pixel. */
 export async function frameMaker({ width, height, frames = 1 }: FrameOptions) {
   const { renderer: three } = await testRenderer(width, height);
@@ -37,9 +40,11 @@ export async function frameMaker({ width, height, frames = 1 }: FrameOptions) {
       await mirror.settled();
       return mirror;
     },
-    async draw(document: Document): Promise<Picture> {
+    /** The last of some frames, before which there was nothing: a mirror that shows what was before keeps its order. */
+    async draw(document: Document, count = frames): Promise<Picture> {
       const mirror = await this.mirror(document);
-      for (let i = 0; i < frames; i++) renderer.render(mirror, document, { width, height });
+      renderer.cut();
+      for (let i = 0; i < count; i++) renderer.render(mirror, document, { width, height }, SECONDS);
       const picture = await renderer.readRadiance();
       mirror.dispose();
       return picture;

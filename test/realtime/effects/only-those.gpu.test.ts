@@ -215,14 +215,9 @@ async function drawn(
   document: ReturnType<typeof stage>,
   { frames = 1, finished = false }: Case,
 ): Promise<ArrayLike<number>> {
-  maker.renderer.cut();
-  const shown = await maker.mirror(document);
-  for (let i = 0; i < frames; i++) maker.renderer.render(shown, document, SIZE);
-  const pixels = finished
-    ? Float32Array.from(await maker.renderer.readImage(document.view), (byte) => byte / 255)
-    : (await maker.renderer.readRadiance()).pixels;
-  shown.dispose();
-  return pixels;
+  const { pixels } = await maker.draw(document, frames);
+  if (!finished) return pixels;
+  return Float32Array.from(await maker.renderer.readImage(document.view), (byte) => byte / 255);
 }
 
 test.each(Object.entries(CASES))('%s', async (_, one) => {

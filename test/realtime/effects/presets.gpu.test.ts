@@ -71,5 +71,7 @@ test('the GPU’s times are told by effect, and nothing is measured unless it is
     'shadows',
     'surfaces',
   ]);
-  for (const { milliseconds } of times ?? []) expect(milliseconds).toBeGreaterThan(0);
+  // GPUs tell time in coarse steps: what is quick may take none of them.
+  for (const { milliseconds } of times ?? []) expect(milliseconds).toBeGreaterThanOrEqual(0);
+  expect(times?.reduce((sum, { milliseconds }) => sum + milliseconds, 0)).toBeGreaterThan(0);
 });

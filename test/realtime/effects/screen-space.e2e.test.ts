@@ -19,7 +19,7 @@ const lit = (effects: object) => ({
   version: 1,
   name: 'screen space',
   camera: { fov: 35, position: [0.5, 1, 4], target: [0, 0.5, 0] },
-  environment: { source: { type: 'constant', color: [1, 1, 1] } },
+  environment: { source: { type: 'constant', color: [1, 1, 1] }, samples: 4 },
   background: { type: 'color', color: [0.2, 0.2, 0.2] },
   objects: {
     floor: plane([-90, 0, 0], [0, 0, 0], 'floor'),

@@ -44,11 +44,7 @@ const withRays = (parts: object, group: object = {}): Document => {
 
 /** Frames of a scene that nothing is known of before. */
 async function drawn(document: Document, frames: number): Promise<Picture> {
-  maker.renderer.cut();
-  const mirror = await maker.mirror(document);
-  for (let i = 0; i < frames; i++) maker.renderer.render(mirror, document, SIZE);
-  const picture = await maker.renderer.readRadiance();
-  mirror.dispose();
+  const picture = await maker.draw(document, frames);
   expect(finite(picture)).toBe(true);
   return picture;
 }

@@ -2,8 +2,8 @@ import { expect, it } from 'vitest';
 import { CIE_1931, FIRST_WAVELENGTH, WAVELENGTH_STEP } from '../../../src/color/cie-1931.ts';
 import { luminance } from '../../../src/color/rec709.ts';
 import { skyDefaults } from '../../../src/scene/environment-schema.ts';
-import { bands, createAtmosphere } from '../../../src/scene/sky/atmosphere.ts';
-import { scatteredLight } from '../../../src/scene/sky/multiple-scattering.ts';
+import { type Atmosphere, bands, createAtmosphere } from '../../../src/scene/sky/atmosphere.ts';
+import { type ScatteredLight, scatteredLight } from '../../../src/scene/sky/multiple-scattering.ts';
 import { skyMap } from '../../../src/scene/sky/sky.ts';
 import { skyImage } from '../../../src/scene/sky/sky-map.ts';
 import { sunIlluminance } from '../../../src/scene/sky/sun.ts';
@@ -45,6 +45,18 @@ it('a sun that sets loses its light without a step', () => {
   }
 });
 
+/** Of this air, and what it scatters: a second's work, the same for every sun. */
+const airs = new Map<string, { air: Atmosphere; scattered: ScatteredLight }>();
+function airOf(turbidity: number, ground: number) {
+  const key = `${turbidity} ${ground}`;
+  const known = airs.get(key);
+  if (known) return known;
+  const air = createAtmosphere(turbidity, [ground, ground, ground]);
+  const made = { air, scattered: scatteredLight(air) };
+  airs.set(key, made);
+  return made;
+}
+
 // Of so few paths the mean is uncertain by 3 to 5 %; docs/decisions/sky.md has more of them.
 it('skylight is what paths of light through the same air bring, found by chance', () => {
   for (const [turbidity, ground, degrees, bound] of [
@@ -53,8 +65,8 @@ it('skylight is what paths of light through the same air bring, found by chance'
     [2, 0.8, 60, 0.1],
     [1, 0.2, -3, 0.1],
   ] as const) {
-    const air = createAtmosphere(turbidity, [ground, ground, ground]);
-    const image = skyImage(air, scatteredLight(air), radians(degrees), 1);
+    const { air, scattered } = airOf(turbidity, ground);
+    const image = skyImage(air, scattered, radians(degrees), 1);
     const found = luminance(irradiance(image, [0, 1, 0]));
     const expected = skylightByChance(air, radians(degrees), 8250);
     expect(Math.abs(found / expected - 1), `turbidity ${turbidity}, sun at ${degrees}`).toBeLessThan(bound);

@@ -39,6 +39,18 @@ it('a sky has a sun among the lights, which stands where it is said and turns wi
   expect(lightsOf(store.document)).toBe(lightsOf(store.document));
 });
 
+it('is shown behind the scene, with shadows; what was chosen under a sky stays with another one', () => {
+  const store = skyStore();
+  expect(store.document.background).toEqual({ type: 'environment', blur: 0 });
+  expect(store.document.effects.shadows.enabled).toBe(true);
+  store.edit('choose', ({ effects }) => {
+    effects.shadows.enabled = false;
+  });
+  setEnvironmentSource(store, { ...skyDefaults, turbidity: 4 });
+  expect(store.document.environment.source).toMatchObject({ turbidity: 4 });
+  expect(store.document.effects.shadows.enabled).toBe(false);
+});
+
 it('is as bright as on Earth at a click, where a meter exposes then, and back', () => {
   const store = skyStore();
   const before = sunOf(store).illuminance;

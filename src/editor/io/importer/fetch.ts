@@ -1,5 +1,5 @@
 /** A file from an address, with the files that it refers to beside it. */
-import { pathIn } from '../../../io/meshes/companions.ts';
+import { pathIn, unescaped } from '../../../io/meshes/companions.ts';
 import { ModelFileError } from '../../../io/meshes/error.ts';
 import { referencesOf } from '../../../io/meshes/references.ts';
 import type { Progress } from './jobs.ts';
@@ -17,8 +17,10 @@ export async function fetchFiles(address: string, progress: Progress): Promise<F
   const url = new URL(address);
   if (!/^https?:$/.test(url.protocol))
     throw new ModelFileError(address.slice(0, 200), '', 'only http and https addresses are fetched');
-  const path = decodeURIComponent(url.pathname).replace(/^.*\//, '') || 'file';
-  const main = { path, bytes: await fetchBytes(url, progress) };
+  const bytes = await fetchBytes(url, progress);
+  const name = nameOf(url) || 'file';
+  const path = /\.[a-z]\w{1,7}$/i.test(name) ? name : `${name}${endingOf(bytes)}`;
+  const main = { path, bytes };
   const parts: Fetched[] = [];
   // What a .obj file names may name more, as materials name textures.
   let references = referencesOf(main.path, main.bytes);
@@ -44,8 +46,25 @@ export async function fetchFiles(address: string, progress: Progress): Promise<F
   return [main, ...parts];
 }
 
+const nameOf = ({ pathname }: URL): string => unescaped(pathname).replace(/^.*\//, '');
+
+/** How files begin whose address does not say what they are, as those of downloads often do not. */
+const beginnings: Readonly<Record<string, string>> = {
+  glTF: '.glb',
+  'PK\u0003\u0004': '.zip',
+  '#?': '.hdr',
+  'v/1\u0001': '.exr',
+  '{': '.json',
+  ply: '.ply',
+};
+
+function endingOf(bytes: Uint8Array): string {
+  const begin = String.fromCharCode(...bytes.subarray(0, 4));
+  return Object.entries(beginnings).find(([letters]) => begin.startsWith(letters))?.[1] ?? '';
+}
+
 async function fetchBytes(url: URL, progress: Progress): Promise<Uint8Array<ArrayBuffer>> {
-  const name = decodeURIComponent(url.pathname).replace(/^.*\//, '') || url.host;
+  const name = nameOf(url) || url.host;
   const fail = (message: string, cause?: unknown): never => {
     throw new ModelFileError(url.href.slice(0, 300), '', message, { cause });
   };

@@ -4,7 +4,15 @@ import type { GltfSource, TextureImage } from '../../../scene/assets.ts';
 import type { Asset } from '../../../scene/schema.ts';
 import { t, translate } from '../../language/language.ts';
 import { rememberBytes, toSend } from '../../storage/stored-document.ts';
-import type { FromImporter, GeometryData, ImportResult, ToImporter } from './messages.ts';
+import { Thread } from '../../threads/thread.ts';
+import type {
+  FromImporter,
+  GeometryData,
+  ImportResult,
+  ModelAnswer,
+  ModelQuestion,
+  ToImporter,
+} from './messages.ts';
 
 /** An import was given up by the person: nothing to report. */
 export class ImportCancelled extends Error {}
@@ -36,7 +44,7 @@ export function startJob(
       else if (data.kind === 'failed') end(new Error(data.message));
       else if (data.kind === 'done') {
         const { result } = data;
-        if (result.kind === 'model') {
+        if (result.kind === 'model' && result.imported.asset) {
           const asset = { ...result.imported.asset, data: parts.join('') };
           if (result.bytes) rememberBytes(asset, result.bytes.sha256, result.bytes.blob);
           const imported = { ...result.imported, asset };
@@ -96,31 +104,25 @@ const WORTH_A_THREAD = 2 * 1024 * 1024;
 export const openElsewhere = (asset: Asset): GltfSource | null =>
   asset.data.length < WORTH_A_THREAD ? null : new RemoteGltf(asset, null);
 
-/** A thread that nobody has asked for so long ends; it is started again when it is needed. */
-const IDLE_MS = 20_000;
-
-type Question = { kind: 'geometry'; node: number; primitive: number } | { kind: 'image'; texture: number };
-type Answer = Extract<FromImporter, { ticket: number }>;
-
 class RemoteGltf implements GltfSource {
-  readonly #asset: Asset;
+  readonly #thread: Thread<ModelQuestion, ModelAnswer>;
+  /** By the life of the thread, and its key. */
   readonly #geometries = new Map<string, THREE.BufferGeometry>();
-  readonly #waiting = new Map<number, { resolve(answer: Answer): void; reject(error: Error): void }>();
-  #worker: Worker | null = null;
-  #ticket = 0;
-  #idle = 0;
-  /** The keys of geometries are those of one thread. */
-  #life = 0;
 
-  constructor(asset: Asset, worker: Worker | null) {
-    this.#asset = asset;
-    if (worker !== null) this.#use(worker);
+  /** @param running a thread that has it open */
+  constructor(asset: Asset, running: Worker | null) {
+    const open = () => {
+      const worker = spawn();
+      worker.postMessage({ kind: 'open', asset: toSend(asset) } satisfies ToImporter);
+      return worker;
+    };
+    this.#thread = new Thread(open, { name: asset.name, ...(running && { running }) });
   }
 
   async geometry(node: number, primitive: number): Promise<THREE.BufferGeometry> {
-    const answer = await this.#ask({ kind: 'geometry', node, primitive });
+    const answer = await this.#thread.ask({ kind: 'geometry', node, primitive });
     if (answer.kind !== 'geometry') throw new Error('a geometry was expected');
-    const key = `${this.#life} ${answer.key}`;
+    const key = `${this.#thread.life} ${answer.key}`;
     const geometry = answer.data === null ? this.#geometries.get(key) : geometryOf(answer.data);
     if (geometry === undefined) throw new Error('a geometry was lost');
     this.#geometries.set(key, geometry);
@@ -128,56 +130,9 @@ class RemoteGltf implements GltfSource {
   }
 
   async image(texture: number): Promise<TextureImage> {
-    const answer = await this.#ask({ kind: 'image', texture });
+    const answer = await this.#thread.ask({ kind: 'image', texture });
     if (answer.kind !== 'image') throw new Error('an image was expected');
     return answer.image;
-  }
-
-  #ask(question: Question): Promise<Answer> {
-    const worker = this.#worker ?? this.#restart();
-    const ticket = ++this.#ticket;
-    return new Promise((resolve, reject) => {
-      this.#waiting.set(ticket, { resolve, reject });
-      clearTimeout(this.#idle);
-      worker.postMessage({ ...question, ticket } satisfies ToImporter);
-    });
-  }
-
-  #restart(): Worker {
-    const worker = spawn();
-    this.#life += 1;
-    this.#use(worker);
-    worker.postMessage({ kind: 'open', asset: toSend(this.#asset) } satisfies ToImporter);
-    return worker;
-  }
-
-  #use(worker: Worker): void {
-    this.#worker = worker;
-    worker.addEventListener('message', ({ data }: MessageEvent<FromImporter>) => {
-      if (!('ticket' in data)) return;
-      const waiting = this.#waiting.get(data.ticket);
-      this.#waiting.delete(data.ticket);
-      if (data.kind === 'refused') waiting?.reject(new Error(data.message));
-      else waiting?.resolve(data);
-      this.#rest();
-    });
-    worker.addEventListener('error', (event) => {
-      const error = new Error(`${this.#asset.name}: ${event.message || 'its thread ended'}`);
-      for (const { reject } of this.#waiting.values()) reject(error);
-      this.#waiting.clear();
-      this.#end();
-    });
-    this.#rest();
-  }
-
-  #rest(): void {
-    clearTimeout(this.#idle);
-    if (this.#waiting.size === 0) this.#idle = window.setTimeout(() => this.#end(), IDLE_MS);
-  }
-
-  #end(): void {
-    this.#worker?.terminate();
-    this.#worker = null;
   }
 }
 

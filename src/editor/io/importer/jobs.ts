@@ -2,7 +2,8 @@
 
 import { importModel, importObjectScene } from '../../../io/import-model.ts';
 import { isMaterialFile, readMaterialFile } from '../../../io/material-file.ts';
-import type { Companions } from '../../../io/meshes/companions.ts';
+import { type Companions, companionsFrom, findCompanion } from '../../../io/meshes/companions.ts';
+import { materialFileOf, referencesOf } from '../../../io/meshes/references.ts';
 import { isModelFile } from '../../../io/model-extensions.ts';
 import { readZip } from '../../../io/zip.ts';
 import { messageOf } from '../../../scene/assets.ts';
@@ -45,6 +46,7 @@ const PART = 4 * 1024 * 1024;
 /** @returns the result without the text that has been posted */
 function inParts(result: Extract<ImportResult, { kind: 'model' }>, post: Post): ImportResult {
   const { imported } = result;
+  if (imported.asset === null) return result;
   const { data } = imported.asset;
   for (let at = 0; at < data.length; at += PART) post({ kind: 'text', part: data.slice(at, at + PART) });
   return { ...result, imported: { ...imported, asset: { ...imported.asset, data: '' } } };
@@ -97,9 +99,6 @@ async function resultOf(job: Job, server: Server, progress: Progress): Promise<I
   }
 }
 
-/** The parts of a model that may lie beside it. */
-const isPart = (path: string): boolean => /\.(bin|mtl|png|jpe?g|webp|avif|ktx2|glb)$/i.test(path);
-
 async function read(
   main: PlacedFile,
   others: readonly PlacedFile[],
@@ -107,35 +106,31 @@ async function read(
   progress: Progress,
 ): Promise<ImportResult> {
   const name = nameOf(main.path);
-  const parts = /\.(gltf|obj|json)$/i.test(name) ? others.filter(({ path }) => isPart(path)) : [];
-  const total = [main, ...parts].reduce((sum, { file }) => sum + file.size, 0);
-  if (total > MOST_BYTES) throw new Error(`${name}: with what lies beside it, more than ${MOST_BYTES} bytes`);
-  let before = 0;
-  const load = async (placed: PlacedFile): Promise<Uint8Array<ArrayBuffer>> => {
-    const bytes = await readBytes(placed.file, (fraction) =>
-      progress(`Reading ${nameOf(placed.path)}`, (before + fraction * placed.file.size) / Math.max(1, total)),
-    );
-    before += placed.file.size;
-    return bytes;
+  let total = 0;
+  const load = ({ path, file }: PlacedFile): Promise<Uint8Array<ArrayBuffer>> => {
+    total += file.size;
+    if (total > MOST_BYTES)
+      throw new Error(`${name}: with what lies beside it, more than ${MOST_BYTES} bytes`);
+    return readBytes(file, (fraction) => progress(`Reading ${nameOf(path)}`, fraction));
   };
   const bytes = await load(main);
-  const companions = new Map<string, Uint8Array>();
-  for (const part of parts) companions.set(part.path, await load(part));
+  const companions = await readCompanions(main.path, bytes, others, load);
   progress(`Decoding ${name}`, 0);
   const options = {
     companions,
     onProgress: (fraction: number) => progress(`Decoding ${name}`, fraction),
   };
   if (isModelFile(name)) return modelOf(await importModel(bytes, main.path, server.assets, options), server);
-  return readJson(bytes, name, options, server);
+  return readJson(bytes, main.path, options, server);
 }
 
 async function modelOf(
   imported: Awaited<ReturnType<typeof importModel>>,
   server: Server,
 ): Promise<ImportResult> {
-  server.keep(imported.asset);
-  return { kind: 'model', imported, bytes: await bytesOf(imported.asset) };
+  const { asset } = imported;
+  if (asset) server.keep(asset);
+  return { kind: 'model', imported, bytes: asset && (await bytesOf(asset)) };
 }
 
 /** What the page keeps of a new asset, and would have to find out itself. */
@@ -146,13 +141,35 @@ async function bytesOf({ data }: Asset): Promise<{ sha256: string; blob: Blob } 
   return { sha256: await sha256Of(bytes), blob: new Blob([bytes]) };
 }
 
+/** Of a folder what the file asks for, and what that asks for; not the rest of what may be a whole library. */
+async function readCompanions(
+  main: string,
+  bytes: Uint8Array,
+  others: readonly PlacedFile[],
+  load: (placed: PlacedFile) => Promise<Uint8Array>,
+): Promise<Companions> {
+  const near = companionsFrom(main, new Map(others.map((other) => [other.path, other])));
+  const found = new Map<string, Uint8Array>();
+  const pending = others.length > 0 ? referencesOf(main, bytes) : [];
+  if (/\.obj$/i.test(main)) pending.push(materialFileOf(nameOf(main)));
+  for (let reference = pending.pop(); reference !== undefined; reference = pending.pop()) {
+    const placed = findCompanion(near, reference)?.content;
+    if (placed === undefined || found.has(placed.path)) continue;
+    const content = await load(placed);
+    found.set(placed.path, content);
+    pending.push(...referencesOf(placed.path, content));
+  }
+  return found;
+}
+
 /** A document, a scene of three.js or a material: what is inside tells. */
 async function readJson(
   bytes: Uint8Array,
-  name: string,
+  path: string,
   options: { companions: Companions; onProgress(fraction: number): void },
   server: Server,
 ): Promise<ImportResult> {
+  const name = nameOf(path);
   const text = new TextDecoder().decode(bytes);
   let json: unknown = null;
   try {
@@ -161,7 +178,7 @@ async function readJson(
     // The document's own parser says where it ends to be JSON.
   }
   if (isMaterialFile(json)) return { kind: 'material', material: readMaterialFile(json, name) };
-  const scene = await importObjectScene(json, name, server.assets, options);
+  const scene = await importObjectScene(json, path, server.assets, options);
   return scene === null
     ? { kind: 'document', document: parseDocument(json ?? text, name) }
     : modelOf(scene, server);

@@ -19,16 +19,24 @@ export type ToImporter =
   /** Makes a GLB of a document. */
   | { readonly kind: 'export'; readonly document: SentDocument }
   /** Opens a glTF asset of a document, for what follows. */
-  | { readonly kind: 'open'; readonly asset: SentAsset }
-  | { readonly kind: 'geometry'; readonly ticket: number; readonly node: number; readonly primitive: number }
-  | { readonly kind: 'image'; readonly ticket: number; readonly texture: number };
+  | { readonly kind: 'open'; readonly asset: SentAsset };
+
+/** Of the model that was read or opened last. */
+export type ModelQuestion =
+  | { readonly kind: 'geometry'; readonly node: number; readonly primitive: number }
+  | { readonly kind: 'image'; readonly texture: number };
+
+export type ModelAnswer =
+  /** `data` is null where it has been sent before under the same key. */
+  | { readonly kind: 'geometry'; readonly key: string; readonly data: GeometryData | null }
+  | { readonly kind: 'image'; readonly image: ImageBitmap | ImageData8 };
 
 export type ImportResult =
   | {
       readonly kind: 'model';
       /** Its asset has the text that came before, in parts. */
       readonly imported: ImportedModel;
-      /** Of the asset; null where the page may not hash. */
+      /** Of the asset; null where there is none, or the page may not hash. */
       readonly bytes: { readonly sha256: string; readonly blob: Blob } | null;
     }
   | { readonly kind: 'document'; readonly document: Document }
@@ -66,16 +74,7 @@ export type FromImporter =
   /** A part of the asset's text: to copy all of it at once would take too long. */
   | { readonly kind: 'text'; readonly part: string }
   | { readonly kind: 'done'; readonly result: ImportResult }
-  | { readonly kind: 'failed'; readonly message: string }
-  /** `data` is null where it has been sent before under the same key. */
-  | {
-      readonly kind: 'geometry';
-      readonly ticket: number;
-      readonly key: string;
-      readonly data: GeometryData | null;
-    }
-  | { readonly kind: 'image'; readonly ticket: number; readonly image: ImageBitmap | ImageData8 }
-  | { readonly kind: 'refused'; readonly ticket: number; readonly message: string };
+  | { readonly kind: 'failed'; readonly message: string };
 
 export interface ImageData8 {
   readonly data: Uint8Array<ArrayBuffer>;

@@ -1,24 +1,17 @@
 /** Gives the page the geometries and images of a glTF file that is open in this thread. */
 import type { BufferGeometry } from 'three/webgpu';
 import { ensureTangents } from '../../../material/tangents.ts';
-import { AssetLoader, messageOf } from '../../../scene/assets.ts';
+import { AssetLoader, type TextureImage } from '../../../scene/assets.ts';
 import { pageAssets } from '../../../scene/page-assets.ts';
 import type { Asset } from '../../../scene/schema.ts';
+import type { Answered } from '../../threads/answering.ts';
 import { receivedAsset, type SentAsset } from '../../threads/sent-assets.ts';
-import type { FromImporter, GeometryData, ToImporter } from './messages.ts';
-
-type Question = Extract<ToImporter, { ticket: number }>;
-type Post = (message: FromImporter, transfer?: Transferable[]) => void;
+import type { GeometryData, ModelAnswer, ModelQuestion } from './messages.ts';
 
 export class Server {
   readonly assets = new AssetLoader(pageAssets);
-  readonly #post: Post;
   readonly #sent = new Map<BufferGeometry, string>();
   #asset: Promise<Asset> | null = null;
-
-  constructor(post: Post) {
-    this.#post = post;
-  }
 
   open(asset: SentAsset): void {
     this.#asset = receivedAsset(asset);
@@ -29,42 +22,35 @@ export class Server {
     this.#asset = Promise.resolve(asset);
   }
 
-  async answer(question: Question): Promise<void> {
-    const { ticket } = question;
-    try {
-      if (this.#asset === null) throw new Error('no file is open');
-      const asset = await this.#asset;
-      if (question.kind === 'geometry') {
-        const { node, primitive } = question;
-        this.#give(ticket, await this.assets.gltfGeometry(asset, node, primitive));
-      } else await this.#giveImage(ticket, asset, question.texture);
-    } catch (error) {
-      this.#post({ kind: 'refused', ticket, message: messageOf(error) });
-    }
+  async answer(question: ModelQuestion): Promise<Answered<ModelAnswer>> {
+    if (this.#asset === null) throw new Error('no file is open');
+    const asset = await this.#asset;
+    if (question.kind === 'image') return imageAnswer(await this.assets.image(asset, question.texture));
+    return this.#geometryAnswer(await this.assets.gltfGeometry(asset, question.node, question.primitive));
   }
 
-  #give(ticket: number, geometry: BufferGeometry): void {
+  #geometryAnswer(geometry: BufferGeometry): Answered<ModelAnswer> {
     const known = this.#sent.get(geometry);
     const key = known ?? `${this.#sent.size}`;
-    if (known === undefined) this.#sent.set(geometry, key);
-    const data = known === undefined ? dataOf(geometry) : null;
-    const buffers = data
-      ? [...Object.values(data.attributes).map(({ array }) => array.buffer), data.index?.buffer ?? []].flat()
-      : [];
-    this.#post({ kind: 'geometry', ticket, key, data }, buffers);
+    if (known !== undefined) return { answer: { kind: 'geometry', key, data: null } };
+    this.#sent.set(geometry, key);
+    const data = dataOf(geometry);
+    const attributes = Object.values(data.attributes).map(({ array }) => array.buffer);
+    return {
+      answer: { kind: 'geometry', key, data },
+      transfer: data.index ? [...attributes, data.index.buffer] : attributes,
+    };
   }
+}
 
-  async #giveImage(ticket: number, asset: Asset, texture: number): Promise<void> {
-    const image = await this.assets.image(asset, texture);
-    // A copy goes: this thread may be asked again.
-    if (image instanceof ImageBitmap) {
-      const copy = await createImageBitmap(image, { premultiplyAlpha: 'none', colorSpaceConversion: 'none' });
-      this.#post({ kind: 'image', ticket, image: copy }, [copy]);
-      return;
-    }
-    const { data, width, height } = image;
-    this.#post({ kind: 'image', ticket, image: { data: data.slice(), width, height } });
+/** A copy goes: this thread may be asked again. */
+async function imageAnswer(image: TextureImage): Promise<Answered<ModelAnswer>> {
+  if (image instanceof ImageBitmap) {
+    const copy = await createImageBitmap(image, { premultiplyAlpha: 'none', colorSpaceConversion: 'none' });
+    return { answer: { kind: 'image', image: copy }, transfer: [copy] };
   }
+  const { data, width, height } = image;
+  return { answer: { kind: 'image', image: { data: data.slice(), width, height } } };
 }
 
 /** So many vertices get tangents ahead of need, and so many where equal ones have to be found first. */

@@ -1,23 +1,18 @@
 /** The thread that reads files, so that the page never waits for them; afterwards it serves what is in a model. */
 
+import { answerQuestions } from '../../threads/answering.ts';
+import type { ToThread } from '../../threads/thread.ts';
 import { runJob } from './jobs.ts';
-import type { FromImporter, ToImporter } from './messages.ts';
+import type { FromImporter, ModelAnswer, ModelQuestion, ToImporter } from './messages.ts';
 import { Server } from './server.ts';
 
 const post = (message: FromImporter, transfer: Transferable[] = []) =>
   self.postMessage(message, { transfer });
-const server = new Server(post);
+const server = new Server();
 
-self.addEventListener('message', ({ data }: MessageEvent<ToImporter>) => {
-  switch (data.kind) {
-    case 'open':
-      server.open(data.asset);
-      return;
-    case 'geometry':
-    case 'image':
-      void server.answer(data);
-      return;
-    default:
-      void runJob(data, server, post);
-  }
+answerQuestions<ModelQuestion, ModelAnswer>((question) => server.answer(question));
+self.addEventListener('message', ({ data }: MessageEvent<ToImporter | ToThread<ModelQuestion>>) => {
+  if ('question' in data) return;
+  if (data.kind === 'open') server.open(data.asset);
+  else void runJob(data, server, post);
 });

@@ -185,6 +185,9 @@ export const documents: Catalogue = {
     'Otra pestaña tiene un Irradia más nuevo. Guarda en un archivo y recarga esta página.',
   'This browser or window gives pages no storage{detail}. Save to a file before you leave.':
     'Este navegador o esta ventana no da almacenamiento a las páginas{detail}. Guarda en un archivo antes de salir.',
+  '{reason} It is opened again as soon as the browser lets it, and everything is then written. Save to a file to be sure.':
+    '{reason} Se abre de nuevo en cuanto el navegador lo permita, y entonces se escribe todo. Guarda en un archivo para estar seguro.',
+  'The browser has closed its database.': 'El navegador ha cerrado su base de datos.',
   'The page was not loaded over https.': 'La página no se cargó por https.',
   '“{name}” is no longer in this browser.': '«{name}» ya no está en este navegador.',
   'Saved {name}': '{name} guardado',
@@ -197,6 +200,12 @@ export const documents: Catalogue = {
   'Recovered “{name}”': '«{name}» recuperado',
   'As it was {time}.': 'Como estaba {time}.',
   Discard: 'Descartar',
+  'The browser’s database does not answer.': 'La base de datos del navegador no responde.',
+  'Another tab has it open.': 'Otra pestaña lo tiene abierto.',
+  'Deleted {title}': 'Se ha eliminado {title}',
+  '“{name}” is not as you left it': '«{name}» no está como lo dejaste',
+  'A part of what this browser kept is damaged; this is an earlier state of it. {reason}':
+    'Una parte de lo que este navegador conservaba está dañada; este es un estado anterior. {reason}',
   'The last document could not be recovered': 'No se ha podido recuperar el último documento',
   'You have changed this scene before': 'Ya habías cambiado esta escena',
   'Open that': 'Abrir esa versión',
@@ -214,6 +223,7 @@ export const documents: Catalogue = {
   'It is under File, Documents.': 'Está en Archivo, Documentos.',
   'Back to it': 'Volver a él',
   'This document is not being kept': 'Este documento no se está conservando',
+  'This document is being kept again': 'Este documento se conserva de nuevo',
   'at {clock}': 'a las {clock}',
   'on {date}, {clock}': 'el {date}, {clock}',
   'only http and https addresses are fetched': 'solo se descargan direcciones http y https',

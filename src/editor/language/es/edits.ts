@@ -25,6 +25,7 @@ export const edits: Catalogue = {
   'Group {name}': 'Agrupar {name}',
   'Ungroup {name}': 'Desagrupar {name}',
   'the group would be in itself': 'el grupo estaría dentro de sí mismo',
+  'more than {maxGroupDepth} groups within each other': 'más de {maxGroupDepth} grupos unos dentro de otros',
   'Move {what} out of groups': 'Sacar {what} de los grupos',
   'Move {what} into {name}': 'Mover {what} a {name}',
   'Reorder {name}': 'Reordenar {name}',
@@ -78,4 +79,7 @@ export const edits: Catalogue = {
   'Too small: expected {type} to have >={min} characters':
     'Demasiado corto: se esperaba {type} con >={min} caracteres',
   'Invalid string: must match pattern {pattern}': 'Texto no válido: debe seguir el patrón {pattern}',
+  'Own copy of {what}': 'Copia propia de {what}',
+  'Distribute evenly': 'Repartir por igual',
+  Align: 'Alinear',
 };

@@ -124,7 +124,33 @@ export const files: Catalogue = {
     'textures[{index}] se repite de forma distinta a cada lado; ambos se repiten como el primero',
   'textures[{index}] is both rotated and scaled unevenly, which is approximated':
     'textures[{index}] está a la vez girada y escalada de forma desigual, lo que se aproxima',
-  '{index}: only one of its instances is shown': '{index}: solo se muestra una de sus instancias',
+  '{index}: its instances are compressed; only one of them is shown':
+    '{index}: sus instancias están comprimidas; solo se muestra una de ellas',
+  '{path}: accessors[{at}] is not a {type}': '{path}: accessors[{at}] no es un {type}',
+  '{path}: {count} instances; at most {MOST_INSTANCES}':
+    '{path}: {count} instancias; como mucho {MOST_INSTANCES}',
+  '{path}: its attributes are not equally many': '{path}: sus atributos no son igual de numerosos',
+  '{path}: its places are not made of finite numbers':
+    '{path}: sus lugares no están hechos de números finitos',
+  'nodes[{index}]: more than {MOST_INSTANCES} objects': 'nodes[{index}]: más de {MOST_INSTANCES} objetos',
+  'textures[{index}] is shown smooth from near, not in squares':
+    'textures[{index}] se muestra suave de cerca, no en cuadrados',
+  'its animations are not played': 'sus animaciones no se reproducen',
+  'it has {length} scenes; only the one that it names is shown':
+    'tiene {length} escenas; solo se muestra la que él mismo nombra',
+  "it has {cameras} cameras; the view is the first one's":
+    'tiene {cameras} cámaras; la vista es la de la primera',
+  'it needs the extension {extension}, which is not read': 'necesita la extensión {extension}, que no se lee',
+  "{name}: the texture of the clearcoat's roughness has no counterpart":
+    '{name}: la textura de la rugosidad del barniz no tiene equivalente',
+  "{name}: the texture of the reflection's colour has no counterpart":
+    '{name}: la textura del color de la reflexión no tiene equivalente',
+  '{name}: the texture of its thickness is not needed: the body is as thick as it is':
+    '{name}: la textura de su grosor no hace falta: el cuerpo tiene el grosor que tiene',
+  '{name}: the colour texture of the light that its sheet lets through has no counterpart':
+    '{name}: la textura de color de la luz que su lámina deja pasar no tiene equivalente',
+  '{name}: {extension} is not read': '{name}: {extension} no se lee',
+  '{name}: its {field} is not read': '{name}: su {field} no se lee',
   '{name}: its skeleton is not read; it is shown in its bind pose':
     '{name}: su esqueleto no se lee; se muestra en su pose inicial',
   '{name}: points and lines have no surface and are left out':
@@ -173,6 +199,9 @@ export const files: Catalogue = {
   'the {c} sample {i} is {stored}; expected a finite reflection':
     'la muestra {i} de {c} es {stored}; se esperaba una reflexión finita',
   'its vertex colours are not read': 'sus colores por vértice no se leen',
+  'Loading the environment {name}': 'Cargando el entorno {name}',
+  'the environment "{name}" did not come; without a network only what was loaded before is there':
+    'el entorno «{name}» no se ha cargado; sin red solo está lo que se cargó antes',
   'its materials in {library} did not come along: drop both files, the folder, or a zip of it':
     'sus materiales de {library} no han venido: suelta los dos archivos, la carpeta o un zip de ella',
   'there is no material {name} in its .mtl file': 'no hay ningún material {name} en su archivo .mtl',
@@ -216,6 +245,13 @@ export const files: Catalogue = {
   'a facet with {corners} corners; expected 3': 'una faceta con {corners} esquinas; se esperaban 3',
   '"{word}" is not a word of STL': '"{word}" no es una palabra de STL',
   'the file ends within a facet': 'el archivo termina dentro de una faceta',
+  'the image {name} is in a format that is not read (PNG, JPEG, WebP, AVIF, KTX2 and TGA are)':
+    'la imagen {name} está en un formato que no se lee (sí PNG, JPEG, WebP, AVIF, KTX2 y TGA)',
+  'Export a picture…': 'Exportar una imagen…',
+  'Export the scene as GLB': 'Exportar la escena como GLB',
+  'Export the material as JSON': 'Exportar el material como JSON',
+  'Copy the material as code': 'Copiar el material como código',
+  '{address} is not an address': '{address} no es una dirección',
   'the image {name} did not come along: drop the whole folder, or a zip of it, to have it':
     'la imagen {name} no ha venido: suelta la carpeta entera, o un zip de ella, para tenerla',
   'there is no {type} in three.js': 'no hay ningún {type} en three.js',
@@ -241,6 +277,35 @@ export const files: Catalogue = {
   'its place is not made of finite numbers': 'su lugar no está hecho de números finitos',
   '{called}: a BatchedMesh is shown as one mesh where it lies':
     '{called}: un BatchedMesh se muestra como una sola malla donde está',
+  '{called}: the colours of its instances are not read': '{called}: los colores de sus instancias no se leen',
+  'its scripts ({count}) are left out: nothing in a file is run':
+    'sus scripts ({count}) se omiten: nada de un archivo se ejecuta',
+  "the project's environment, shadows and tone mapping are not read":
+    'el entorno, las sombras y el mapeo de tonos del proyecto no se leen',
+  'Files that Irradia opens': 'Archivos que Irradia abre',
+  'a file of deep data, which is not read': 'un archivo de datos profundos (deep), que no se lee',
+  'chunk {i} is at byte {at}, outside the file': 'el bloque {i} está en el byte {at}, fuera del archivo',
+  'tiles of {width} x {rows} texels': 'teselas de {width} x {rows} téxeles',
+  'compression {index}; expected one of {list}': 'compresión {index}; se esperaba una de {list}',
+  'an image of {width} x {height} texels; expected 1 to {MOST_TEXELS} in all':
+    'una imagen de {width} x {height} téxeles; se esperaban de 1 a {MOST_TEXELS} en total',
+  'more than {MOST_CHANNELS} channels': 'más de {MOST_CHANNELS} canales',
+  'a list of channels that does not end': 'una lista de canales que no termina',
+  'an image of {width} x {height} texels, for which the file is too short or memory is':
+    'una imagen de {width} x {height} téxeles, para la que no bastan el archivo o la memoria',
+  'not a Radiance HDR image': 'no es una imagen HDR de Radiance',
+  'the header does not end with an empty line': 'la cabecera no termina con una línea vacía',
+  'its texels are in {format}; expected 32-bit_rle_rgbe':
+    'sus téxeles están en {format}; se esperaba 32-bit_rle_rgbe',
+  'a size of "{line}"; expected "-Y height +X width", rows from the top':
+    'un tamaño de "{line}"; se esperaba "-Y alto +X ancho", con las filas desde arriba',
+  'an image without texels': 'una imagen sin téxeles',
+  'a row of another width than the image': 'una fila de otro ancho que la imagen',
+  'the file ends within a row': 'el archivo termina dentro de una fila',
+  'a run of {count} that the row has no room for': 'una serie de {count} que no cabe en la fila',
+  'a run of runs': 'una serie de series',
+  '{name}: {length} bytes for a {type}; expected {size}':
+    '{name}: {length} bytes para un {type}; se esperaban {size}',
   'a texture is not in the file': 'una textura no está en el archivo',
   'a texture wraps differently along its sides; both wrap as along the first':
     'una textura se repite de forma distinta a cada lado; ambos se repiten como el primero',

@@ -10,6 +10,7 @@ import { lessons } from './lessons.ts';
 import { library } from './library.ts';
 import { models } from './models.ts';
 import { page } from './page.ts';
+import { patterns } from './patterns.ts';
 import { schema } from './schema.ts';
 import { substances } from './substances.ts';
 import { verdict } from './verdict.ts';
@@ -26,6 +27,7 @@ const catalogue: Catalogue = {
   ...library,
   ...models,
   ...page,
+  ...patterns,
   ...schema,
   ...substances,
   ...verdict,

@@ -64,6 +64,12 @@ export const inspector: Catalogue = {
   'Stands at': 'Está en',
   'Azimuth from north by east, and height': 'Acimut desde el norte hacia el este, y altura',
   '{azimuth}° around, {elevation}° high': '{azimuth}° de acimut, {elevation}° de altura',
+  '{depth}° below the horizon: {phase}.': '{depth}° bajo el horizonte: {phase}.',
+  'civil twilight': 'crepúsculo civil',
+  'nautical twilight': 'crepúsculo náutico',
+  'astronomical twilight': 'crepúsculo astronómico',
+  night: 'noche',
+  'Black unless As on Earth is on.': 'Negro, salvo con «Como en la Tierra».',
   'The studio cannot be shown': 'No se puede mostrar el estudio',
   None: 'Ninguno',
   Constant: 'Constante',
@@ -177,4 +183,9 @@ export const inspector: Catalogue = {
   Effects: 'Efectos',
   'Path tracing': 'Trazado de caminos',
   'Near and far': 'Cerca y lejos',
+  '{count} other objects have it, too': {
+    one: 'También lo tiene otro objeto',
+    other: 'También lo tienen otros {count} objetos',
+  },
+  'A copy of it for this object': 'Una copia para este objeto',
 };

@@ -37,7 +37,7 @@ export const library: Catalogue = {
   'Nothing is selected': 'No hay nada seleccionado',
   'Select an object or a material, or drag it onto an object.':
     'Selecciona un objeto o un material, o arrástralo sobre un objeto.',
-  'All categories': 'Todas las categorías',
+  'All categories': 'Todas',
   '{name} is in My library': '{name} está en Mi biblioteca',
   '{name} was not kept': '{name} no se ha conservado',
   'It is not a material that Irradia has exported.': 'No es un material que haya exportado Irradia.',
@@ -184,8 +184,8 @@ export const library: Catalogue = {
   Carrot: 'Zanahoria',
   'Egg, brown': 'Huevo moreno',
   'Pine, planed': 'Pino cepillado',
-  'By eye: the mean colour of the wood, without its grain.':
-    'A ojo: el color medio de la madera, sin su veta.',
+  'By eye: the mean colour of the wood; its grain is a pattern.':
+    'A ojo: el color medio de la madera; su veta es un patrón.',
   'Oak, oiled': 'Roble aceitado',
   'Walnut, oiled': 'Nogal aceitado',
   'Cherry, varnished': 'Cerezo barnizado',

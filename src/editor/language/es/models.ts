@@ -14,7 +14,7 @@ export const models: Catalogue = {
   viewMasking: 'enmascaramiento de la vista',
   'Colour of the matte base, and of the reflection where metallic. Linear Rec. 709.':
     'Color de la base mate, y del reflejo donde es metálica. Rec. 709 lineal.',
-  Kd: 'kd',
+  kd: 'kd',
   'Balance between the base and its gloss: 0 only gloss, 1 only base.':
     'Equilibrio entre la base y su brillo: 0 solo brillo, 1 solo base.',
   Metallic: 'Metalicidad',
@@ -23,7 +23,7 @@ export const models: Catalogue = {
   Roughness: 'Rugosidad',
   'Root mean square slope of the facets: 0 mirror-like (acts as .001), 1 very rough.':
     'Pendiente cuadrática media de las facetas: 0 como un espejo (actúa como .001), 1 muy rugosa.',
-  Ior: 'Índice de refracción',
+  IOR: 'Índice de refracción',
   'Index of refraction: 1 air (no reflection head-on), 1.33 water, 1.5 glass, 2.42 diamond.':
     'Índice de refracción: 1 aire (sin reflejo de frente), 1.33 agua, 1.5 vidrio, 2.42 diamante.',
   'Glass, water, gems: a rough boundary of a transparent body, which reflects and refracts':

@@ -127,7 +127,7 @@ export const page: Catalogue = {
   'It has no source that could be edited.': 'No tiene código que se pueda editar.',
   'A material of the library…': 'Un material de la biblioteca…',
   'Choose one there, then Compare': 'Elige uno allí, y luego Comparar',
-  'The same values in another model': 'Los mismos valores en otro modelo',
+  'The same look in another model': 'El mismo aspecto en otro modelo',
   'A material of this scene': 'Un material de esta escena',
   'A part of B is missing': 'Falta una parte de B',
   'The materials cannot be compared': 'No se pueden comparar los materiales',
@@ -135,9 +135,13 @@ export const page: Catalogue = {
   'The material stays as it was': 'El material se queda como estaba',
   'Materials are compared in the interactive picture': 'Los materiales se comparan en la imagen interactiva',
   'The comparison has ended': 'La comparación ha terminado',
-  'It is of the interactive picture; path traced pictures show A.':
-    'Es de la imagen interactiva; las imágenes por trazado de caminos muestran A.',
-  'Compare again': 'Comparar de nuevo',
+  'No object has A any more.': 'Ningún objeto tiene ya A.',
+  'One of the materials is no longer there.': 'Uno de los materiales ya no está.',
+  'Nothing to compare': 'Nada que comparar',
+  End: 'Terminar',
+  'No object has this material.': 'Ningún objeto tiene este material.',
+  'Path traced pictures show A alone.': 'Las imágenes por trazado de caminos solo muestran A.',
+  'Back to the comparison': 'Volver a la comparación',
   'Divider between the two materials': 'Divisor entre los dos materiales',
   'Comparison of two materials': 'Comparación de dos materiales',
   'Keep A': 'Quedarse con A',
@@ -179,7 +183,7 @@ export const page: Catalogue = {
   'Choose an environment': 'Elegir un entorno',
   'The environment stays as it is': 'El entorno se queda como está',
   'Sky and sun': 'Cielo y sol',
-  'Studio of soft boxes': 'Estudio de cajas de luz',
+  'Soft boxes': 'Cajas de luz',
   History: 'Historial',
   'Not moved': 'No se ha movido',
   Outliner: 'Esquema',
@@ -253,6 +257,18 @@ export const page: Catalogue = {
   'No soft boxes': 'No hay cajas de luz',
   'Soft box {number} of {count}': 'Caja de luz {number} de {count}',
   Arrangement: 'Disposición',
+  'Three lights': 'Tres luces',
+  'A key light from one side, a large weak fill from the other, a warm light from behind':
+    'Una luz principal desde un lado, un relleno grande y débil desde el otro y una luz cálida por detrás',
+  Clamshell: 'En concha',
+  'A wide light above the camera and one below it, as for portraits; two strips for the edges':
+    'Una luz ancha sobre la cámara y otra debajo, como para retratos; dos tiras para los bordes',
+  Product: 'Producto',
+  'Tall strips at both sides draw long even highlights, under a large light from above':
+    'Tiras altas a ambos lados dibujan reflejos largos y uniformes bajo una luz grande desde arriba',
+  Rim: 'Contraluz',
+  'Bright edges before darkness: strips behind the object, hardly any light from the front':
+    'Bordes brillantes sobre lo oscuro: tiras detrás del objeto, apenas luz de frente',
   'One’s own': 'Propia',
   'The studio: directions as a chrome ball shows them to the camera':
     'El estudio: las direcciones como se las muestra a la cámara una bola cromada',
@@ -338,4 +354,23 @@ export const page: Catalogue = {
   'Linear Rec. 709, as the BRDF sees it': 'Rec. 709 lineal, como lo ve la BRDF',
   '{label}, number': '{label}, número',
   'Close this message': 'Cerrar este mensaje',
+  'Take hold of what is selected': 'Agarrar lo seleccionado',
+  'Show it alone, or everything again': 'Mostrar solo esto, o todo otra vez',
+  'Select all of the same material': 'Seleccionar todo lo del mismo material',
+  'Give all of them the material of the last one': 'Dar a todos el material del último',
+  'A copy of the material for it alone': 'Una copia del material solo para esto',
+  'Align…': 'Alinear…',
+  'Add…': 'Añadir…',
+  'Lower ends': 'Extremos inferiores',
+  Middles: 'Centros',
+  'Upper ends': 'Extremos superiores',
+  'Along {axis}': 'En {axis}',
+  'Drag over a number: Shift finer, Ctrl coarser, Esc as it was':
+    'Arrastrar sobre un número: con Mayús más fino, con Ctrl más grueso, con Esc como estaba',
+  'During a drag: along an axis, with Shift across it':
+    'Al arrastrar: a lo largo de un eje, con Mayús perpendicular a él',
+  'During a drag: how far, with arithmetic; a space before the next axis':
+    'Al arrastrar: cuánto, con aritmética; un espacio antes del eje siguiente',
+  'There is nothing here yet. Drop files on the page, or add something: by the menu, or a right click here.':
+    'Aquí no hay nada todavía. Suelta archivos en la página o añade algo: con el menú, o con un clic derecho aquí.',
 };

@@ -67,10 +67,10 @@ export const schema: Catalogue = {
     'Lugares del aire que se miran por píxel y lámpara; con más, los haces son más suaves',
   'Against jagged edges: four samples a pixel (MSAA); frames gathered over time, the best when nothing moves; edges of the finished picture found and smoothed, carefully (SMAA) or quickly (FXAA)':
     'Contra los bordes dentados: cuatro muestras por píxel (MSAA); fotogramas acumulados en el tiempo, lo mejor cuando nada se mueve; bordes de la imagen acabada que se buscan y suavizan, con cuidado (SMAA) o deprisa (FXAA)',
-  Msaa: 'MSAA',
+  MSAA: 'MSAA',
   Temporal: 'Temporal',
-  Smaa: 'SMAA',
-  Fxaa: 'FXAA',
+  SMAA: 'SMAA',
+  FXAA: 'FXAA',
   Method: 'Método',
   'What is not in focus is blurred, as the camera’s f-number and focus say':
     'Lo que no está enfocado se desenfoca, según el número f y el enfoque de la cámara',
@@ -290,8 +290,8 @@ export const schema: Catalogue = {
   'Width of the panel': 'Anchura del panel',
   'Height of the panel': 'Altura del panel',
   'The image, or the glTF file that holds it': 'La imagen, o el archivo glTF que la contiene',
-  'Index of the texture in a glTF file; null for an image':
-    'Índice de la textura en un archivo glTF; nulo para una imagen',
+  'Index of the texture in a glTF file; of a pattern 0 its colour, 1 its normals, 2 its height (r) and roughness (g); null for an image':
+    'Índice de la textura en un archivo glTF; de un patrón, 0 su color, 1 sus normales, 2 su altura (r) y rugosidad (g); nulo para una imagen',
   Texture: 'Textura',
   'The channel that drives a number; null takes the colour': 'El canal que da un número; nulo toma el color',
   'sRGB for colours, linear for data': 'sRGB para colores, lineal para datos',
@@ -454,6 +454,8 @@ export const schema: Catalogue = {
   'Spot light': 'Foco de luz',
   'Rectangle light': 'Luz rectangular',
   'Effects: {name}': 'Efectos: {name}',
+  'Too many segments: all shapes together may have at most {maxQuadsInAll} triangles':
+    'Demasiados segmentos: todas las formas juntas pueden tener como mucho {maxQuadsInAll} triángulos',
   'Too many segments: a geometry may have at most {maxQuads} triangles':
     'Demasiados segmentos: una geometría puede tener como mucho {maxQuads} triángulos',
   'Too many entries: at most {maxParameters}': 'Demasiadas entradas: como mucho {maxParameters}',

@@ -121,6 +121,7 @@ export const viewport: Catalogue = {
   'Show {label}': 'Mostrar {label}',
   'The picture, or what is behind it': 'La imagen, o lo que hay detrás de ella',
   'Luminance, nits; a stop each': 'Luminancia, nits; un paso cada uno',
+  nothing: 'nada',
   'Times that a pixel is drawn': 'Veces que se dibuja un píxel',
   'Shadow map of the sun, 1 the finest': 'Mapa de sombras del sol, 1 el más fino',
   'Ambient occlusion': 'Oclusión ambiental',
@@ -147,8 +148,10 @@ export const viewport: Catalogue = {
     'A lo largo de los ejes de lo seleccionado, no de los del mundo',
   'About what was selected last, not about the middle of all':
     'En torno a lo último seleccionado, no al centro de todo',
-  'In steps of 0.1 m, 15° and 0.1; Ctrl does so, or not, for a moment':
-    'Por pasos de 0.1 m, 15° y 0.1; Ctrl lo activa, o lo quita, por un momento',
+  'In steps; Ctrl does so, or not, for a moment. The right button: how large they are':
+    'A pasos; con Ctrl, o sin ello, por un momento. El botón derecho: de qué tamaño',
+  'How large the steps are…': 'Tamaño de los pasos…',
+  Steps: 'Pasos',
   Tools: 'Herramientas',
   'The picture could not be drawn': 'No se ha podido dibujar la imagen',
   "the scene takes {size} bytes of memory; this GPU's limit is {maxBytes}":
@@ -174,9 +177,9 @@ export const viewport: Catalogue = {
   'the position of vertex {i} is not finite': 'la posición del vértice {i} no es finita',
   'it could not be loaded': 'no se ha podido cargar',
   'a message could not be read': 'no se ha podido leer un mensaje',
-  surfaces: 'superficies',
-  scene: 'escena',
-  output: 'salida',
+  Surfaces: 'Superficies',
+  Output: 'Salida',
+  Outline: 'Contorno',
   '1 CPU thread': '1 hilo de CPU',
   '{count} CPU threads': '{count} hilos de CPU',
   'this browser has no WebGPU': 'este navegador no tiene WebGPU',

@@ -3,6 +3,7 @@ import { setField } from '../../../scene/commands.ts';
 import { attempt } from '../../commands.ts';
 import { t } from '../../language/language.ts';
 import type { KeptDocument } from '../../storage/kept-documents.ts';
+import { whileHeld } from '../../storage/session-record.ts';
 import { timeText } from '../../storage/workspace.ts';
 import { h } from '../../ui/dom.ts';
 import { type IconName, icon } from '../../ui/icons.ts';
@@ -36,7 +37,7 @@ export async function createDetail(
         );
         store.endMerge();
         await workspace.flush();
-      } else await storage.rename(kept, name.value);
+      } else await whileHeld(kept.id, () => storage.rename(kept, name.value));
       await refresh();
     });
   });

@@ -27,7 +27,6 @@ export async function openDocuments(session: Session): Promise<void> {
     toast('error', t('This browser or window keeps no documents'), t('Save to a file before you leave.'));
     return;
   }
-  await workspace.flush();
   const list = h('div', { class: 'document-list' });
   const detail = h('section', { class: 'document-detail' });
   const usage = createUsage();
@@ -124,6 +123,8 @@ export async function openDocuments(session: Session): Promise<void> {
     usage.element,
   );
   try {
+    // Its picture may take a while, which is no reason not to show the dialog.
+    await workspace.flush();
     await refresh();
     list.querySelector<HTMLElement>('[aria-current]')?.focus();
   } catch (error) {

@@ -81,8 +81,25 @@ function row(context: DocumentsContext, kept: KeptDocument, version: Version): H
   );
   remove.addEventListener('click', () => {
     void run(t('The version was not deleted'), async () => {
+      // What cannot be read anymore can still be deleted.
+      const document = await storage.loadVersion(version).catch(() => null);
       await storage.deleteVersion(version);
       await refresh();
+      const putBack = async () => {
+        if (document) await storage.putVersion(version, document);
+        await refresh();
+      };
+      toast(
+        'info',
+        t('Deleted {title}', { title: titleOf(version) }),
+        undefined,
+        document
+          ? {
+              label: t('Undo'),
+              run: () => void run(t('{label} did not work', { label: t('Undo') }), putBack),
+            }
+          : undefined,
+      );
     });
   });
   return h(

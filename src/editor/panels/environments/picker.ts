@@ -76,7 +76,7 @@ function offersOf(present: EnvironmentSource): Offer[] {
   });
   return [
     computed('sky', t('Sky and sun'), newSky),
-    computed('studio', t('Studio of soft boxes'), () => studioOf('threePoint')),
+    computed('studio', t('Soft boxes'), () => studioOf('threePoint')),
     ...environmentPresets.map((name) => ({
       label: choiceLabel(name),
       picture: presetPicture(name),

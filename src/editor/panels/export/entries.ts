@@ -1,7 +1,9 @@
 /** What a scene can be taken away as, in the File menu: a model, a picture, a material. */
 import type { RealtimeRenderer } from '../../../realtime/renderer.ts';
+import { materialMaps } from '../../../scene/material-schema.ts';
 import type { SceneMirror } from '../../../scene/mirror.ts';
-import { findModel } from '../../../scene/models.ts';
+import type { Action } from '../../actions/action.ts';
+import { actionEntry } from '../../actions/entry.ts';
 import { download, fileNameOf } from '../../io/files.ts';
 import { ImportCancelled } from '../../io/importer/import-job.ts';
 import { runImport } from '../../io/open-import.ts';
@@ -19,51 +21,80 @@ export interface ExportContext {
   renderer(): RealtimeRenderer | null;
   /** Draws the viewport anew. */
   redraw(): void;
+  /** Resolves when everything in the scene can be drawn. */
+  whole(): Promise<void>;
 }
 
-export function exportEntries(context: ExportContext): MenuEntry[] {
+export function exportActions(context: ExportContext): Action[] {
   const { store, state } = context.session;
+  const material = () => selectedMaterial(store.document, state.value.selection);
+  const withMaterial = (act: (id: string) => Promise<void>) => () => {
+    const id = material();
+    if (id !== undefined) void act(id);
+  };
+  return [
+    {
+      id: 'file.exportPicture',
+      title: t('Export a picture…'),
+      enabled: () => context.renderer() !== null,
+      run: () => void exportPicture(context),
+    },
+    {
+      id: 'file.exportModel',
+      title: t('Export the scene as GLB'),
+      enabled: () => Object.keys(store.document.objects).length > 0,
+      run: () => void exportModel(context),
+    },
+    {
+      id: 'file.exportMaterial',
+      title: t('Export the material as JSON'),
+      enabled: () => material() !== undefined,
+      run: withMaterial((id) => exportMaterial(context, id)),
+    },
+    {
+      id: 'file.copyCode',
+      title: t('Copy the material as code'),
+      enabled: () => material() !== undefined,
+      run: withMaterial((id) => copyCode(context, id)),
+    },
+  ];
+}
+
+/** The same in the File menu, under a heading of their own. */
+export function exportEntries({ store, state, actions }: Session): MenuEntry[] {
   const material = selectedMaterial(store.document, state.value.selection);
   const name = material === undefined ? '' : ` ${store.document.materials[material]?.name ?? ''}`;
   return [
     'separator',
     { heading: t('Export') },
-    {
+    actionEntry(actions, 'file.exportPicture', {
       label: t('Picture…'),
       icon: 'image',
       tip: t('PNG, JPEG or linear EXR of any size, by either renderer'),
-      disabled: context.renderer() === null,
-      run: () => void exportPicture(context),
-    },
-    {
+    }),
+    actionEntry(actions, 'file.exportModel', {
       label: t('Scene as GLB'),
       icon: 'mesh',
       tip: t('Objects, materials (KHR extensions), punctual lights and camera; says what glTF cannot hold'),
-      disabled: Object.keys(store.document.objects).length === 0,
-      run: () => void exportModel(context),
-    },
-    {
+    }),
+    actionEntry(actions, 'file.exportMaterial', {
       label: t('Material{name} as JSON', { name }),
       icon: 'material',
       tip: t('With its model, images and measurements; drop the file on the page to bring it back'),
-      disabled: material === undefined,
-      run: () => material !== undefined && void exportMaterial(context, material),
-    },
-    {
+    }),
+    actionEntry(actions, 'file.copyCode', {
       label: t('Copy material{name} as code', { name }),
       icon: 'copy',
       tip: t('For a program with three.js and the npm package irradia'),
-      disabled: material === undefined,
-      run: () => material !== undefined && void copyCode(context, material),
-    },
+    }),
   ];
 }
 
-async function exportPicture({ session, mirror, renderer, redraw }: ExportContext): Promise<void> {
+async function exportPicture({ session, mirror, renderer, redraw, whole }: ExportContext): Promise<void> {
   const drawn = renderer();
   if (drawn === null) return;
   const { openPictureDialog } = await import('./picture-dialog.ts');
-  openPictureDialog({ renderer: drawn, mirror, document: session.store.document, redraw });
+  openPictureDialog({ renderer: drawn, mirror, document: session.store.document, redraw, whole });
 }
 
 /** Put together in the thread that reads files, too. */
@@ -100,13 +131,13 @@ async function exportMaterial({ session }: ExportContext, id: string): Promise<v
 async function copyCode({ session }: ExportContext, id: string): Promise<void> {
   const { document } = session.store;
   const material = document.materials[id];
-  const model = material && findModel(document, material.model);
-  if (!material || !model) return;
   try {
-    const { codeSample } = await import('../../../analysis/fit/code-sample.ts');
-    const shipped = !Object.hasOwn(document.models, material.model);
-    await navigator.clipboard.writeText(codeSample(model, material.parameters, shipped));
-    const textures = Object.keys(material.textures).length > 0;
+    const { materialCode } = await import('./material-code.ts');
+    const code = materialCode(document, id);
+    if (!material || code === null) return;
+    await navigator.clipboard.writeText(code);
+    const textures =
+      Object.keys(material.textures).length > 0 || materialMaps.some((map) => material[map] !== null);
     toast(
       'success',
       t('The code is in the clipboard'),

@@ -22,10 +22,12 @@ export interface PictureContext {
   readonly document: Document;
   /** The viewport has to be drawn again: its canvas was used for something else. */
   redraw(): void;
+  /** Resolves when everything in the scene can be drawn. */
+  whole(): Promise<void>;
 }
 
 export async function makePicture(
-  { renderer, mirror, document, redraw }: PictureContext,
+  { renderer, mirror, document, redraw, whole }: PictureContext,
   { source, format, width, height, samples }: PictureRequest,
   signal: AbortSignal,
   onProgress: (text: string, fraction: number) => void,
@@ -42,6 +44,7 @@ export async function makePicture(
       ]);
     });
   }
+  await whole();
   const still = showStill(renderer, document);
   try {
     return await assembled(signal, head, (send) =>

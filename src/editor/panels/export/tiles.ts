@@ -3,6 +3,8 @@
  * each tile a margin is drawn and thrown away, so that effects which look at pixels nearby see them at a tile's edge, too.
  */
 import { PerspectiveCamera } from 'three/webgpu';
+import { BLOOM_GRID } from '../../../realtime/effects/bloom.ts';
+import { MOST_RADIUS } from '../../../realtime/effects/depth-of-field/circle.ts';
 import type { FrameSettings, Radiance, RealtimeRenderer, Size } from '../../../realtime/renderer.ts';
 import type { SceneMirror } from '../../../scene/mirror.ts';
 import type { Document } from '../../../scene/schema.ts';
@@ -15,8 +17,17 @@ export interface Tile extends Size {
 
 /** Small enough for any GPU, and for the page to answer in between. */
 const LARGEST_TILE = 1024;
-/** As far as contact shadows, ambient occlusion and anti-aliasing look, and most of what shines around a light. */
+/**
+ * Where rays are traced through the picture: what is not in their tile is not found, so a mirror's picture of the wall would end
+ * at a border. As large as a view on a large screen, which such settings have to draw, too.
+ */
+const LARGEST_TRACED_TILE = 4096;
+/** As far as contact shadows, anti-aliasing and the means over neighbours look. */
 const MARGIN = 64;
+/** Most of what ambient occlusion sees: what is farther away on the screen hides little. */
+const OCCLUSION_MARGIN = 256;
+/** Most of what traced rays hit. */
+const TRACED_MARGIN = 512;
 /** Frames of a tile that gets better with more of them. */
 const MOST_FRAMES = 16;
 
@@ -35,6 +46,30 @@ export function tilesOf({ width, height }: Size, largest = LARGEST_TILE): Tile[]
       height: Math.floor(((row + 1) * height) / rows) - y,
     };
   });
+}
+
+/** How far effects look, in pixels of a picture of this size. */
+export function marginOf({ effects, camera }: Document, { width, height }: Size): number {
+  const { ambientOcclusion, reflections, indirectLight, depthOfField, bloom, lens } = effects;
+  const reach = Math.max(
+    MARGIN,
+    ambientOcclusion.enabled ? OCCLUSION_MARGIN : 0,
+    reflections.enabled || indirectLight.enabled ? TRACED_MARGIN : 0,
+    depthOfField.enabled && camera.fStop > 0 ? height * MOST_RADIUS : 0,
+    // The smallest level of the glow is as wide as a few of its pixels.
+    bloom.enabled ? MARGIN + 3 * BLOOM_GRID * bloom.radius : 0,
+  );
+  // Red and blue are looked for by half of the dispersion away, of the way from the middle.
+  const fringe = lens.enabled ? (lens.dispersion / 2) * (Math.max(width, height) / 2) : 0;
+  return Math.ceil(reach + fringe);
+}
+
+/** A tile with its margin, its corners on a grid. */
+export function around(tile: Tile, margin: number, grid: number): Tile {
+  const low = (at: number) => Math.floor((at - margin) / grid) * grid;
+  const high = (at: number) => Math.ceil((at + margin) / grid) * grid;
+  const [x, y] = [low(tile.x), low(tile.y)];
+  return { x, y, width: high(tile.x + tile.width) - x, height: high(tile.y + tile.height) - y };
 }
 
 /** The renderer gives its camera the proportions of what it draws; a tile has those of the whole. */
@@ -83,34 +118,32 @@ export interface TilesOptions {
 }
 
 export async function renderTiles(options: TilesOptions): Promise<void> {
-  const { renderer, mirror, document, size, read, largest, signal, onTile } = options;
+  const { renderer, mirror, document, size, read, signal, onTile } = options;
   // A meter would see each tile for itself; the size is what was asked for.
   const exposure = renderer.exposure(document.view);
   const view = { ...document.view, exposure, exposureMode: 'manual' as const, resolutionScale: 1 };
   const settings: FrameSettings = { ...document, view };
   const { companion } = renderer;
+  const { reflections, indirectLight, bloom } = document.effects;
+  const traces = reflections.enabled || indirectLight.enabled;
+  const { largest = traces ? LARGEST_TRACED_TILE : LARGEST_TILE } = options;
   const tiles = tilesOf(size, largest);
+  const margin = tiles.length === 1 ? 0 : marginOf(document, size);
+  // Effects at half the size, and smaller ones, divide each tile into the pixels into which they would divide the whole.
+  const grid = tiles.length === 1 ? 1 : bloom.enabled ? BLOOM_GRID : 2;
   try {
     for (const [i, tile] of tiles.entries()) {
-      const margin = tiles.length === 1 ? 0 : MARGIN;
-      const around = { width: tile.width + 2 * margin, height: tile.height + 2 * margin };
+      const drawn = around(tile, margin, grid);
       const camera = new TileCamera(mirror.camera, size.width / size.height);
-      camera.setViewOffset(
-        size.width,
-        size.height,
-        tile.x - margin,
-        tile.y - margin,
-        around.width,
-        around.height,
-      );
+      camera.setViewOffset(size.width, size.height, drawn.x, drawn.y, drawn.width, drawn.height);
       renderer.companion = null;
       renderer.cut();
       for (let frame = 0; frame === 0 || (renderer.unsettled && frame < MOST_FRAMES); frame++)
-        renderer.render({ scene: mirror.scene, camera }, settings, around);
+        renderer.render({ scene: mirror.scene, camera }, settings, drawn);
       // Asked for in the same turn in which it was drawn: the viewport may draw in the next.
       const { pixels } = await read(renderer, settings);
       signal.throwIfAborted();
-      onTile(tile, cut(pixels, around.width, margin, tile), (i + 1) / tiles.length);
+      onTile(tile, cut(pixels, drawn, tile), (i + 1) / tiles.length);
       await new Promise((resolve) => setTimeout(resolve));
     }
   } finally {
@@ -120,12 +153,13 @@ export async function renderTiles(options: TilesOptions): Promise<void> {
 }
 
 /** Without the margin. */
-function cut<A extends Uint8Array | Float32Array>(pixels: A, stride: number, margin: number, tile: Tile): A {
-  if (margin === 0) return pixels;
+function cut<A extends Uint8Array | Float32Array>(pixels: A, drawn: Tile, tile: Tile): A {
   const { width, height } = tile;
+  if (drawn.width === width && drawn.height === height) return pixels;
+  const [left, top] = [tile.x - drawn.x, tile.y - drawn.y];
   const result = new (pixels.constructor as new (length: number) => A)(4 * width * height);
   for (let y = 0; y < height; y++) {
-    const from = 4 * ((y + margin) * stride + margin);
+    const from = 4 * ((y + top) * drawn.width + left);
     result.set(pixels.subarray(from, from + 4 * width), 4 * width * y);
   }
   return result;

@@ -151,6 +151,16 @@ function dateRow({ store }: Session): Bound {
   };
 }
 
+/** How dark it is when the sun is so far below the horizon, in degrees (The Nautical Almanac). */
+function darkness(depth: number): string {
+  if (depth <= 6) return t('civil twilight');
+  if (depth <= 12) return t('nautical twilight');
+  return depth <= 18 ? t('astronomical twilight') : t('night');
+}
+
+/** Below this the sky is black at any exposure, unless it is as bright as on Earth. */
+const SEEN = -6;
+
 /** Where the sun then stands. */
 function placedSunRow({ store }: Session): Bound {
   const text = h('output', { class: 'placed-sun' });
@@ -160,11 +170,20 @@ function placedSunRow({ store }: Session): Bound {
       const { source } = store.document.environment;
       if (source.type !== 'sky') return;
       const { azimuth, elevation } = sunAngles(source.sun);
-      const degrees = (angle: number) => ((angle * 180) / Math.PI).toFixed(1);
-      text.textContent = t('{azimuth}° around, {elevation}° high', {
-        azimuth: degrees(azimuth),
-        elevation: degrees(elevation),
-      });
+      const height = (elevation * 180) / Math.PI;
+      if (height >= 0) {
+        const values = { azimuth: ((azimuth * 180) / Math.PI).toFixed(1), elevation: height.toFixed(1) };
+        text.textContent = t('{azimuth}° around, {elevation}° high', values);
+        return;
+      }
+      const values = { depth: (-height).toFixed(1), phase: darkness(-height) };
+      const unseen = height < SEEN && source.brightness < EARTHLY;
+      text.textContent = [
+        t('{depth}° below the horizon: {phase}.', values),
+        unseen && t('Black unless As on Earth is on.'),
+      ]
+        .filter(Boolean)
+        .join(' ');
     },
   };
 }
@@ -215,7 +234,7 @@ function environmentChoice(session: Session): Bound {
       { value: 'none', label: t('None') },
       { value: 'constant', label: t('Constant') },
       { value: 'sky', label: t('Sky and sun') },
-      { value: 'studio', label: t('Studio of soft boxes') },
+      { value: 'studio', label: t('Soft boxes') },
       ...files.map(([id, asset]) => ({ value: `hdr:${id}`, label: asset.name, group: t('In this scene') })),
       ...environmentPresets.map((name) => ({
         value: `preset:${name}`,

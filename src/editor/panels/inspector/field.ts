@@ -104,7 +104,7 @@ function controlFor(label: string, info: FieldInfo, cell: Cell): Bound | undefin
 }
 
 /** A slider where there is a range worth dragging through, else a number to scrub. */
-function numberControl(label: string, info: FieldInfo, cell: Cell): Bound {
+export function numberControl(label: string, info: FieldInfo, cell: Cell): Bound {
   const integer = info.kind === 'integer';
   const onChange = (value: number, gesture: string | undefined) =>
     cell.set(integer ? Math.round(value) : value, gesture);
@@ -144,6 +144,11 @@ export function wordsOf(name: string): string {
 }
 
 const ABBREVIATIONS: Readonly<Record<string, string>> = {
+  msaa: 'MSAA',
+  fxaa: 'FXAA',
+  smaa: 'SMAA',
+  ior: 'IOR',
+  kd: 'kd',
   aces: 'ACES',
   agx: 'AgX',
   srgb: 'sRGB',

@@ -8,9 +8,8 @@ import { t, translate } from '../../language/language.ts';
 import type { Session } from '../../session.ts';
 import { h } from '../../ui/dom.ts';
 import { row, switchField } from '../../ui/fields.ts';
-import { sliderField } from '../../ui/slider-field.ts';
 import { type Cell, pathCell } from './cell.ts';
-import { type Bound, shapeFields } from './field.ts';
+import { type Bound, numberControl, shapeFields } from './field.ts';
 
 export function groundFields(session: Session): Bound[] {
   const { store } = session;
@@ -40,33 +39,20 @@ function catcherRow({ store }: Session, { description }: FieldInfo): Bound {
 }
 
 /** Where it lies by itself, or a number. */
-function heightRow(
-  { store }: Session,
-  { description, unit, min, max, slider: range }: FieldInfo,
-  cell: Cell,
-): Bound {
-  const [low, high] = range ?? [-5, 5];
+function heightRow({ store }: Session, info: FieldInfo, cell: Cell): Bound {
   const lowest = () => Math.round(1000 * lowestObject(store.document)) / 1000;
   const toggle = switchField(t('Height by a number'), (isNumber) => cell.set(isNumber ? lowest() : null));
-  const slider = sliderField({
-    label: t('Height'),
-    min: low,
-    max: high,
-    hardMin: min,
-    hardMax: max,
-    unit,
-    onChange: (value, gesture) => cell.set(value, gesture),
-  });
+  const number = numberControl(t('Height'), info, { ...cell, get: () => cell.get() ?? lowest() });
   return {
     element: row(
-      { label: t('Height'), tip: translate(description), onReset: () => cell.set(null) },
-      h('div', { class: 'switched' }, toggle.element, slider.element),
+      { label: t('Height'), tip: translate(info.description), onReset: () => cell.set(null) },
+      h('div', { class: 'switched' }, toggle.element, number.element),
     ),
     update() {
-      const value = cell.get();
-      toggle.show(typeof value === 'number');
-      slider.element.inert = typeof value !== 'number';
-      slider.show(typeof value === 'number' ? value : lowest());
+      const isNumber = typeof cell.get() === 'number';
+      toggle.show(isNumber);
+      number.element.inert = !isNumber;
+      number.update();
     },
   };
 }

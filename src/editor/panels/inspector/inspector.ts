@@ -1,6 +1,7 @@
 /**
  * The inspector shows the fields of what is selected. It is built anew only when other fields are
- * needed; otherwise every field is updated in place, so that a slider survives its own drag.
+ * needed; otherwise every field is updated in place, so that a slider survives its own drag. Until the new ones are there,
+ * those of before cannot be used.
  */
 import { describeEntities } from '../../../scene/entity.ts';
 import { geometryNames } from '../../../scene/geometry-schema.ts';
@@ -8,6 +9,7 @@ import { lightDefaults } from '../../../scene/light-schema.ts';
 import type { Document } from '../../../scene/schema.ts';
 import { renameEntity } from '../../commands.ts';
 import { t, translate } from '../../language/language.ts';
+import { nextTask } from '../../next-task.ts';
 import type { Session } from '../../session.ts';
 import type { Selection } from '../../state.ts';
 import { h } from '../../ui/dom.ts';
@@ -44,17 +46,33 @@ export function createInspector(session: Session): HTMLElement {
 
   let panel: InspectorPanel | null = null;
   let structure = '';
+  let building = false;
+  const build = () => {
+    building = false;
+    body.inert = false;
+    const { selection } = state.value;
+    const next = structureOf(session, selection);
+    if (next === structure) {
+      panel?.update();
+      return;
+    }
+    const sameThing = structure.split(' ', 2).join() === next.split(' ', 2).join();
+    const scroll = sameThing ? body.scrollTop : 0;
+    structure = next;
+    panel = panelFor(session, selection);
+    panel.update();
+    body.replaceChildren(panel.element);
+    body.scrollTop = scroll;
+  };
   const update = () => {
     const { document } = store;
     const { selection, selected } = state.value;
-    const next = structureOf(session, selection);
-    if (next !== structure || !panel) {
-      const sameThing = structure.split(' ', 2).join() === next.split(' ', 2).join();
-      const scroll = sameThing ? body.scrollTop : 0;
-      structure = next;
-      panel = panelFor(session, selection);
-      body.replaceChildren(panel.element);
-      body.scrollTop = scroll;
+    if (structureOf(session, selection) === structure) panel?.update();
+    else if (!building) {
+      // In a task of its own, once for all that changes in this one: what was chosen and a document that is opened.
+      building = true;
+      body.inert = true;
+      void nextTask().then(build);
     }
     const several = selected.length > 1;
     name.element.hidden = several;
@@ -63,7 +81,6 @@ export function createInspector(session: Session): HTMLElement {
     if (several) kind.textContent = translate(describeEntities(document, selected));
     else kind.textContent = selection ? kindName(document, selection) : t('Scene');
     name.show(selection ? (document[selection.kind][selection.id]?.name ?? '') : document.name);
-    panel.update();
   };
   store.subscribe(() => {
     state.forget(store.document);

@@ -1,20 +1,19 @@
 /** A light: every field of its schema, its brightness in the unit that the person prefers. */
 
 import { setLightType } from '../../../scene/commands.ts';
-import type { FieldInfo } from '../../../scene/fields.ts';
 import { type LightType, lightDefaults, lightShapes, lightTypes } from '../../../scene/light-schema.ts';
 import { attempt } from '../../commands.ts';
 import { t, translate } from '../../language/language.ts';
 import type { Session } from '../../session.ts';
 import { h } from '../../ui/dom.ts';
-import { row, selectField, switchField } from '../../ui/fields.ts';
+import { row, selectField } from '../../ui/fields.ts';
 import { section } from '../../ui/section.ts';
-import { sliderField } from '../../ui/slider-field.ts';
-import { type Cell, pathCell } from './cell.ts';
+import { pathCell } from './cell.ts';
 import { type Bound, choiceLabel, labelOf, shapeFields } from './field.ts';
 import { placeField } from './locked.ts';
 import type { InspectorPanel } from './panel.ts';
 import { chosenUnit, isPhotometric, photometricRow } from './photometric.ts';
+import { isTemperature, temperatureRow } from './temperature.ts';
 
 /** The panel has to be made anew when this changes. */
 export function lightStructure(session: Session, id: string): string {
@@ -36,7 +35,7 @@ export function lightPanel(session: Session, id: string): InspectorPanel {
         skip: ['name'],
         custom(name, info, cell) {
           if (isPhotometric(light.type, name)) return photometricRow(session, id, light.type, info, cell);
-          if (info.unit === 'K' && info.nullable) return temperatureRow(labelOf(name), info, cell);
+          if (isTemperature(info)) return temperatureRow(labelOf(name), info, cell);
           return placeField(session, { kind: 'lights', id }, name, info, cell);
         },
       }),
@@ -68,35 +67,5 @@ function typeChoice({ store }: Session, id: string): Bound {
   return {
     element: row({ label: t('Type'), tip: t('Another type of light in the same place') }, field.element),
     update: () => field.show(store.document.lights[id]?.type ?? ''),
-  };
-}
-
-/** About the white of daylight: where a temperature starts when it is switched on. */
-const FIRST_TEMPERATURE = 6500;
-
-/** A number that may be switched off. */
-function temperatureRow(label: string, info: FieldInfo, cell: Cell): Bound {
-  const [min, max] = info.slider ?? [info.min ?? 0, info.max ?? 1];
-  const toggle = switchField(t('{label} on', { label }), (on) => cell.set(on ? FIRST_TEMPERATURE : null));
-  const slider = sliderField({
-    label,
-    min,
-    max,
-    hardMin: info.min,
-    hardMax: info.max,
-    unit: info.unit,
-    onChange: (value, gesture) => cell.set(value, gesture),
-  });
-  return {
-    element: row(
-      { label, tip: translate(info.description), onReset: () => cell.set(null) },
-      h('div', { class: 'switched' }, toggle.element, slider.element),
-    ),
-    update() {
-      const value = cell.get();
-      toggle.show(typeof value === 'number');
-      slider.element.inert = typeof value !== 'number';
-      slider.show(typeof value === 'number' ? value : FIRST_TEMPERATURE);
-    },
   };
 }

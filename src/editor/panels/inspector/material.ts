@@ -60,10 +60,16 @@ export function materialPanel(session: Session, id: string): InspectorPanel {
   const manual = h(
     'div',
     { class: 'model-about' },
+    // Its picture comes from the library's part of the page, which loads late.
+    h('div', { class: 'model-preview', 'data-preview': id }),
     h('p', { class: 'hint model-title' }, translate(model?.file.title ?? '')),
-    editSourceButton(session),
-    fitButton(session, id),
-    ...materialButtons(session),
+    h(
+      'div',
+      { class: 'model-buttons' },
+      editSourceButton(session),
+      fitButton(session, id),
+      ...materialButtons(session),
+    ),
   );
   const fold = (title: string, ...children: Node[]) =>
     section(

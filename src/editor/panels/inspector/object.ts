@@ -8,10 +8,10 @@ import {
   geometryNames,
   geometryShapes,
 } from '../../../scene/geometry-schema.ts';
-import { assignMaterial, putMaterial } from '../../../scene/material-commands.ts';
+import { assignMaterial, giveOwnMaterials, putMaterial } from '../../../scene/material-commands.ts';
 import { type Document, objectDefaults, objectShape } from '../../../scene/schema.ts';
 import { attempt } from '../../commands.ts';
-import { t, translate } from '../../language/language.ts';
+import { plural, t, translate } from '../../language/language.ts';
 import type { Session } from '../../session.ts';
 import { h } from '../../ui/dom.ts';
 import { row, selectField } from '../../ui/fields.ts';
@@ -92,9 +92,15 @@ function geometryChoice({ store }: Session, id: string): Bound {
 }
 
 const NEW_MATERIAL = '+new';
+const OWN_MATERIAL = '+own';
 
 function materialChoice({ store }: Session, id: string): Bound {
+  const shared = h('p', { class: 'hint shared-material' });
   const field = selectField(t('Material'), [], (value) => {
+    if (value === OWN_MATERIAL) {
+      attempt(t('The material stays as it was'), () => giveOwnMaterials(store, [id]));
+      return;
+    }
     if (value !== NEW_MATERIAL) {
       attempt(t('The material stays as it was'), () => assignMaterial(store, [id], value));
       return;
@@ -105,14 +111,28 @@ function materialChoice({ store }: Session, id: string): Bound {
     });
   });
   return {
-    element: row({ label: t('Material'), tip: t('Objects may share a material') }, field.element),
+    element: h(
+      'div',
+      {},
+      row({ label: t('Material'), tip: t('Objects may share a material') }, field.element),
+      shared,
+    ),
     update() {
       const { materials, objects } = store.document;
+      const own = objects[id]?.material ?? '';
+      const others = Object.values(objects).filter(({ material }) => material === own).length - 1;
+      shared.hidden = others < 1;
+      shared.textContent = plural(
+        others,
+        'One other object has it, too',
+        '{count} other objects have it, too',
+      );
       field.setChoices([
         ...Object.entries(materials).map(([value, material]) => ({ value, label: material.name })),
         { value: NEW_MATERIAL, label: t('New material') },
+        ...(others < 1 ? [] : [{ value: OWN_MATERIAL, label: t('A copy of it for this object') }]),
       ]);
-      field.show(objects[id]?.material ?? '');
+      field.show(own);
     },
   };
 }

@@ -10,7 +10,9 @@ import {
   type TextureRef,
   textureRef,
 } from '../../../scene/material-schema.ts';
+import { isPattern, patternNames } from '../../../scene/pattern/asset.ts';
 import type { Document, Material } from '../../../scene/schema.ts';
+import { attempt } from '../../commands.ts';
 import { assetUrl, IMAGE_ACCEPT, isImageFile, readAsset } from '../../io/files.ts';
 import { t } from '../../language/language.ts';
 import type { Session } from '../../session.ts';
@@ -62,9 +64,11 @@ export function textureSlot(session: Session, id: string, place: SlotPlace): Bou
       if (target) writeSlot(target, place, null);
     });
 
+  const replace = () => openSources(session, id, place, label, button, choose);
+
   button.addEventListener('click', () => {
-    if (current()) openTexturePopup(session, id, place, label, button, { choose, clear });
-    else void choose();
+    if (current()) openTexturePopup(session, id, place, label, button, { replace, clear });
+    else replace();
   });
   button.addEventListener('dragover', (event) => {
     event.preventDefault();
@@ -112,7 +116,7 @@ function openTexturePopup(
   place: SlotPlace,
   label: string,
   anchor: HTMLElement,
-  actions: { choose(): Promise<void>; clear(): void },
+  actions: { replace(): void; clear(): void },
 ): void {
   const { store } = session;
   const path =
@@ -128,29 +132,79 @@ function openTexturePopup(
     skip: ['asset', 'texture', 'scale', ...(takesChannel ? [] : ['channel'])],
   });
   const update = () => {
-    if (readSlot(store.document.materials[id], place)) for (const field of fields) field.update();
-    else close();
+    if (!readSlot(store.document.materials[id], place)) {
+      close();
+      return;
+    }
+    for (const field of fields) field.update();
+    ofPattern?.update();
   };
   const replace = h('button', { type: 'button', class: 'text-button' }, t('Replace…'));
   const remove = h('button', { type: 'button', class: 'text-button' }, t('Remove'));
+  const pattern = h('div', { class: 'pattern-fields' });
   const content = h(
     'div',
     { class: 'texture-popup' },
     h('strong', {}, t('{label} texture', { label })),
     ...fields.map((field) => field.element),
+    pattern,
     h('div', { class: 'popup-actions' }, replace, remove),
   );
   const unsubscribe = store.subscribe(update);
   const close = openPopup({ anchor, content, label: t('{label} texture', { label }), onClose: unsubscribe });
   replace.addEventListener('click', () => {
     close();
-    void actions.choose();
+    actions.replace();
   });
   remove.addEventListener('click', () => {
     close();
     actions.clear();
   });
+  let ofPattern: Bound | null = null;
   update();
+  const ref = readSlot(store.document.materials[id], place);
+  if (ref && isPattern(store.document.assets[ref.asset]))
+    void import('./pattern-fields.ts').then(({ patternFields }) => {
+      ofPattern = patternFields(session, id, () => readSlot(store.document.materials[id], place)?.asset);
+      pattern.replaceChildren(ofPattern.element);
+    });
+}
+
+/** Where a texture comes from: a file, or a pattern. */
+function openSources(
+  session: Session,
+  id: string,
+  place: SlotPlace,
+  label: string,
+  anchor: HTMLElement,
+  choose: () => Promise<void>,
+): void {
+  const file = h('button', { type: 'button', class: 'text-button primary' }, t('Image…'));
+  const patterns = patternNames.map((name) => {
+    const button = h('button', { type: 'button', class: 'text-button' }, labelOf(name));
+    button.addEventListener('click', async () => {
+      close();
+      const { givePattern } = await import('../../../scene/pattern-commands.ts');
+      const where = 'map' in place ? place : { parameter: place.parameter.name };
+      attempt(t('The material stays as it was'), () =>
+        givePattern(session.store, id, where, name, t('Texture of {label}', { label: label.toLowerCase() })),
+      );
+    });
+    return button;
+  });
+  const content = h(
+    'div',
+    { class: 'texture-popup' },
+    h('strong', {}, t('{label} texture', { label })),
+    h('div', { class: 'popup-actions' }, file),
+    h('p', { class: 'hint' }, t('Or a pattern, which is computed:')),
+    h('div', { class: 'pattern-choices' }, ...patterns),
+  );
+  const close = openPopup({ anchor, content, label: t('{label} texture', { label }) });
+  file.addEventListener('click', () => {
+    close();
+    void choose();
+  });
 }
 
 function readSlot(material: Material | undefined, place: SlotPlace): TextureRef | null {

@@ -67,6 +67,7 @@ export function createLessonPanel(session: Session, learning: Learning): LessonP
 
   const open = () => {
     const app = document.getElementById('app');
+    session.closeSheet();
     if (element.isConnected || !app) return;
     app.append(element);
     app.classList.add('learning');

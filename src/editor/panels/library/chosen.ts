@@ -1,15 +1,16 @@
 /** A material that is offered, wherever it comes from, and what it means to choose it. */
-import { type LibraryEntry, materialOf } from '../../../analysis/library/entry.ts';
+import type { LibraryEntry } from '../../../analysis/library/entry.ts';
 import { materialLibrary } from '../../../analysis/library/library.ts';
+import { fileOf } from '../../../analysis/library/patterns.ts';
 import { addMaterialFile, type MaterialFile, readMaterialFile } from '../../../io/material-file.ts';
 import {
   giveMaterial,
   type MaterialLook,
   putMaterialOnce,
   setLook,
+  sorted,
 } from '../../../scene/library-commands.ts';
 import { assignMaterial } from '../../../scene/material-commands.ts';
-import { materialDefaults } from '../../../scene/material-schema.ts';
 import type { Document, Material } from '../../../scene/schema.ts';
 import { attempt } from '../../commands.ts';
 import { t, translate } from '../../language/language.ts';
@@ -34,12 +35,18 @@ export function titleOf(offer: Offer, document: Document): string {
 /** With what it needs; undefined for a material that has gone. @throws DocumentError for an own one that is broken */
 export function contentOf(offer: Offer, document: Document): MaterialFile | undefined {
   if (offer.kind === 'own') return ownFile(offer.entry);
-  if (offer.kind === 'library') {
-    const material = { ...materialDefaults, ...materialOf(offer.entry) };
-    return { material, models: {}, assets: {} };
-  }
+  if (offer.kind === 'library') return libraryFile(offer.entry);
   const material = document.materials[offer.id];
   return material && { material, models: document.models, assets: document.assets };
+}
+
+const libraryFiles = new WeakMap<LibraryEntry, MaterialFile>();
+
+/** The same each time, so that its pattern is drawn once. */
+function libraryFile(entry: LibraryEntry): MaterialFile {
+  const known = libraryFiles.get(entry) ?? fileOf(entry);
+  libraryFiles.set(entry, known);
+  return known;
 }
 
 const files = new WeakMap<OwnEntry, MaterialFile>();
@@ -92,7 +99,13 @@ export function giveToObjects(
     const title = titleOf(offer, store.document);
     const put: Parameters<typeof giveMaterial>[3]['put'] =
       offer.kind === 'library'
-        ? (draft) => putMaterialOnce(draft, { ...materialOf(offer.entry), name: title })
+        ? (draft) => {
+            const [first] = objects;
+            const isBall = first === undefined || store.document.objects[first]?.geometry.type === 'sphere';
+            const file = isBall ? libraryFile(offer.entry) : fileOf(offer.entry, false);
+            const material = { ...file.material, name: title };
+            return addMaterialFile(draft, { ...file, material }, putMaterialOnce);
+          }
         : (draft) => addMaterialFile(draft, ownFile(offer.entry));
     return giveMaterial(store, title, objects, { put, isTry });
   });
@@ -111,12 +124,12 @@ export function giveLook(session: Session, offer: Offer, materials: readonly str
     const title = titleOf(offer, store.document);
     const names = materials.map((id) => store.document.materials[id]?.name ?? '').join(', ');
     const { model } = content.material;
-    const own = content.models[model];
-    if (offer.kind !== 'own' || !own) {
+    const needs = [content.models[model], ...Object.values(content.assets)];
+    if (offer.kind === 'scene' || needs.every((need) => need === undefined)) {
       setLook(store, materials, `${names}: ${title}`, lookOf(content.material));
       return;
     }
-    // Its model comes into the scene with it.
+    // Its model and its pattern come into the scene with it.
     store.edit(`${names}: ${title}`, (draft) => {
       const id = addMaterialFile(draft, content);
       const added = draft.materials[id];
@@ -130,13 +143,18 @@ export function giveLook(session: Session, offer: Offer, materials: readonly str
 }
 
 /** A material of the library as it came: while one tries others, it need not stay. */
-function isTry(material: Material): boolean {
+function isTry(material: Material, { assets }: Pick<Document, 'assets'>): boolean {
   const { name, ...rest } = material;
   const title = name.replace(/ \d+$/, '');
   const entry = [...materialLibrary.values()].find((known) => translate(known.title) === title);
   if (!entry) return false;
-  const { name: _, ...came } = { ...materialDefaults, ...materialOf(entry) };
-  const text = (values: object) =>
-    JSON.stringify(Object.entries(values).sort(([a], [b]) => (a < b ? -1 : 1)));
-  return text(rest) === text(came);
+  const came = libraryFile(entry);
+  const { name: _, ...usual } = came.material;
+  return textOf(rest, assets) === textOf(usual, came.assets);
 }
+
+/** The same for materials that are the same but for the ids of what they need, and for how it is laid on their object. */
+const textOf = (material: object, assets: Document['assets']): string =>
+  JSON.stringify(sorted(material), (key, value) =>
+    key === 'repeat' ? undefined : key === 'asset' ? assets[value]?.data : value,
+  );

@@ -4,12 +4,13 @@
  */
 
 import { materialLibrary } from '../../../analysis/library/library.ts';
+import { endComparison } from '../../compare/ending.ts';
 import { startComparison } from '../../compare/start.ts';
 import { t } from '../../language/language.ts';
 import { selectedMaterial } from '../../selected-material.ts';
 import type { Session } from '../../session.ts';
 import type { OwnEntry } from '../../storage/material-library.ts';
-import { h } from '../../ui/dom.ts';
+import { arrange, h } from '../../ui/dom.ts';
 import { selectField } from '../../ui/fields.ts';
 import { iconButton } from '../../ui/icon-button.ts';
 import { toast } from '../../ui/toast.ts';
@@ -31,6 +32,13 @@ export interface LibraryPanel {
   keep(id: string): Promise<void>;
 }
 
+/** A section of the list. */
+interface Part {
+  readonly head: HTMLElement;
+  readonly count: HTMLElement;
+  readonly grid: HTMLElement;
+}
+
 /** After an edit of the scene, before its pictures are made anew, ms. */
 const REST_MS = 250;
 
@@ -40,6 +48,8 @@ export function createLibrary(session: Session, thumbnails: Thumbnails, jobOf: J
   let only = '';
   let focused: Offer | null = null;
   const cards = new Map<string, Card>();
+  const parts = new Map<string, Part>();
+  const nothing = h('p', { class: 'hint' }, t('No material is called that.'));
 
   const search = h('input', {
     type: 'search',
@@ -87,30 +97,40 @@ export function createLibrary(session: Session, thumbnails: Thumbnails, jobOf: J
     { root: list, rootMargin: '100px' },
   );
 
+  const partOf = (key: string, title: string): Part => {
+    const known = parts.get(key);
+    if (known) return known;
+    const count = h('span', { class: 'count' });
+    const part: Part = {
+      // The group below has the same name.
+      head: h('h2', { 'aria-hidden': 'true' }, title, count),
+      count,
+      grid: h('div', { class: 'library-grid', role: 'group', 'aria-label': title, 'data-section': key }),
+    };
+    parts.set(key, part);
+    return part;
+  };
+
   function build(): void {
     const sections = sectionsOf(store.document, own, { query: search.value, only });
     const wanted = new Set<string>();
-    list.replaceChildren(
-      ...sections.flatMap(({ key, title, offers }) => [
-        // The group below has the same name.
-        h('h2', { 'aria-hidden': 'true' }, title, h('span', { class: 'count' }, String(offers.length))),
-        h(
-          'div',
-          { class: 'library-grid', role: 'group', 'aria-label': title, 'data-section': key },
-          ...offers.map((offer) => {
-            const name = keyOfOffer(offer);
-            wanted.add(name);
-            const known = cards.get(name);
-            const card = known ?? createCard(offer, thumbnails, jobOf);
-            if (!known) seen.observe(card.element);
-            cards.set(name, card);
-            card.show(store.document);
-            return card.element;
-          }),
-        ),
-      ]),
-      ...(sections.length === 0 ? [h('p', { class: 'hint' }, t('No material is called that.'))] : []),
-    );
+    const shown = sections.flatMap(({ key, title, offers }) => {
+      const { head, count, grid } = partOf(key, title);
+      count.textContent = String(offers.length);
+      const elements = offers.map((offer) => {
+        const name = keyOfOffer(offer);
+        wanted.add(name);
+        const known = cards.get(name);
+        const card = known ?? createCard(offer, thumbnails, jobOf);
+        if (!known) seen.observe(card.element);
+        cards.set(name, card);
+        card.show(store.document);
+        return card.element;
+      });
+      arrange(grid, elements);
+      return [head, grid];
+    });
+    arrange(list, sections.length > 0 ? shown : [nothing]);
     for (const [name, card] of cards) {
       if (!name.startsWith('scene') || wanted.has(name)) continue;
       seen.unobserve(card.element);
@@ -185,6 +205,7 @@ export function createLibrary(session: Session, thumbnails: Thumbnails, jobOf: J
   }
 
   function open(): void {
+    session.closeSheet();
     element.hidden = false;
     void refresh();
     search.focus({ preventScroll: true });
@@ -196,7 +217,8 @@ export function createLibrary(session: Session, thumbnails: Thumbnails, jobOf: J
 
   search.addEventListener('input', build);
   search.addEventListener('keydown', (event) => {
-    if (event.key === 'ArrowDown') list.querySelector<HTMLElement>('.material-card')?.focus();
+    if (event.key === 'Escape' && state.value.comparison) endComparison(state);
+    else if (event.key === 'ArrowDown') list.querySelector<HTMLElement>('.material-card')?.focus();
     else if (event.key !== 'Escape') return;
     else if (search.value) {
       search.value = '';
@@ -227,6 +249,8 @@ export function createLibrary(session: Session, thumbnails: Thumbnails, jobOf: J
   });
   list.addEventListener('keydown', (event) => {
     if (event.key === 'Escape') {
+      // What is over the picture goes first, by the page's own shortcut.
+      if (state.value.comparison) return;
       event.stopPropagation();
       search.focus();
     } else if (gridMove(list, event)) event.preventDefault();

@@ -1,4 +1,4 @@
-/** In the outliner, materials are shown by their pictures, and can be dragged onto objects. */
+/** In the outliner and in the inspector, materials are shown by their pictures, and can be dragged onto objects. */
 import type { SceneMirror } from '../../../scene/mirror.ts';
 import type { Session } from '../../session.ts';
 import { endDrag, startDrag } from './drag.ts';
@@ -6,41 +6,72 @@ import { sceneJob } from './scene-job.ts';
 import { keyOf } from './thumbnail-job.ts';
 import { drawThumbnail, type Thumbnails, thumbnailCanvas } from './thumbnails.ts';
 
-/** Pixels: sharp on a screen of twice as many as a row has room for. */
-const SIZE = 40;
+export interface PicturePlaces {
+  readonly outliner: HTMLElement;
+  readonly inspector: HTMLElement;
+}
+
 /** After an edit. */
 const REST_MS = 300;
 const KIND = 'materials/';
 
+/** Where there is a picture. */
+interface Place {
+  readonly selector: string;
+  /** Pixels: sharp on a screen of twice as many as there is room for. */
+  readonly size: number;
+  material(element: HTMLElement): string;
+  put(element: HTMLElement, canvas: HTMLCanvasElement): void;
+}
+
+const ROW: Place = {
+  selector: `[data-entity^="${KIND}"]`,
+  size: 40,
+  material: ({ dataset }) => dataset.entity?.slice(KIND.length) ?? '',
+  // Beside the icon, which is seen until the picture has come.
+  put: (element, canvas) => element.querySelector(':scope > .icon')?.after(canvas),
+};
+const PREVIEW: Place = {
+  selector: '[data-preview]',
+  size: 132,
+  material: ({ dataset }) => dataset.preview ?? '',
+  put: (element, canvas) => element.replaceChildren(canvas),
+};
+
 export function installScenePictures(
   { store }: Session,
-  outliner: HTMLElement,
+  { outliner, inspector }: PicturePlaces,
   mirror: SceneMirror,
   thumbnails: Thumbnails,
 ): void {
   const shown = new WeakMap<HTMLCanvasElement, string | null>();
+  const places = [
+    [outliner, ROW],
+    [inspector, PREVIEW],
+  ] as const;
 
-  const show = (row: HTMLElement) => {
-    const id = row.dataset.entity?.slice(KIND.length) ?? '';
-    const job = sceneJob(store.document, mirror, id);
+  const show = (element: HTMLElement, place: Place) => {
+    const job = sceneJob(store.document, mirror, place.material(element));
     if (!job) return;
-    let canvas = row.querySelector<HTMLCanvasElement>('.material-picture');
+    let canvas = element.querySelector<HTMLCanvasElement>('.material-picture');
     if (!canvas) {
-      canvas = thumbnailCanvas(SIZE);
-      // Beside the icon, which is seen until the picture has come.
-      row.querySelector(':scope > .icon')?.after(canvas);
-      row.draggable = true;
+      canvas = thumbnailCanvas(place.size);
+      place.put(element, canvas);
+      element.draggable = true;
     }
     const picture = canvas;
-    const key = keyOf(job, SIZE);
+    const key = keyOf(job, place.size);
     if (shown.get(picture) === key) return;
     shown.set(picture, key);
-    void thumbnails.picture(job, SIZE).then((pixels) => {
+    void thumbnails.picture(job, place.size).then((pixels) => {
       if (shown.get(picture) === key) drawThumbnail(picture, pixels);
     });
   };
+  const showIn = (root: HTMLElement, place: Place) => {
+    for (const element of root.querySelectorAll<HTMLElement>(place.selector)) show(element, place);
+  };
   const showAll = () => {
-    for (const row of outliner.querySelectorAll<HTMLElement>(`[data-entity^="${KIND}"]`)) show(row);
+    for (const [root, place] of places) showIn(root, place);
   };
   let timer = 0;
   const later = () => {
@@ -50,19 +81,30 @@ export function installScenePictures(
   store.subscribe(({ document, previous }) => {
     if (document.materials !== previous.materials || document.models !== previous.models) later();
   });
-  // Rows come and go as the outliner is scrolled.
-  new MutationObserver((changes) => {
-    const rows = changes.flatMap(({ addedNodes }) => [...addedNodes]);
-    for (const row of rows) if (row instanceof HTMLElement && row.dataset.entity?.startsWith(KIND)) show(row);
-  }).observe(outliner, { childList: true, subtree: true });
-  outliner.addEventListener('dragstart', (event) => {
-    const row = event.target instanceof HTMLElement ? event.target : null;
-    if (!row?.dataset.entity?.startsWith(KIND)) return;
-    const id = row.dataset.entity.slice(KIND.length);
-    const name = store.document.materials[id]?.name;
-    if (name !== undefined)
-      startDrag(event, { kind: 'scene', id }, name, row.querySelector<HTMLElement>('canvas') ?? row);
-  });
-  outliner.addEventListener('dragend', endDrag);
+  for (const [root, place] of places) {
+    // Rows come and go as the outliner is scrolled, and the inspector is made anew for what is selected.
+    new MutationObserver((changes) => {
+      for (const { addedNodes } of changes)
+        for (const node of addedNodes) {
+          if (!(node instanceof HTMLElement)) continue;
+          if (node.matches(place.selector)) show(node, place);
+          else showIn(node, place);
+        }
+    }).observe(root, { childList: true, subtree: true });
+    root.addEventListener('dragstart', (event) => {
+      const element = event.target instanceof HTMLElement ? event.target : null;
+      if (!element?.matches(place.selector)) return;
+      const id = place.material(element);
+      const name = store.document.materials[id]?.name;
+      if (name !== undefined)
+        startDrag(
+          event,
+          { kind: 'scene', id },
+          name,
+          element.querySelector<HTMLElement>('canvas') ?? element,
+        );
+    });
+    root.addEventListener('dragend', endDrag);
+  }
   void mirror.settled().then(showAll);
 }

@@ -1,8 +1,10 @@
 /** What the worker of small pictures is asked for, and what comes back. */
+import type { PatternUse } from '../../../analysis/library/pattern-sampler.ts';
 import { THUMBNAIL_VERSION } from '../../../analysis/library/thumbnail.ts';
 import type { ParameterValue, Rgb } from '../../../brdf/model.ts';
 import type { Model } from '../../../glsl/model.ts';
 import { findModel, modelOrigin } from '../../../scene/models.ts';
+import { isPattern } from '../../../scene/pattern/asset.ts';
 import type { Document, Material } from '../../../scene/schema.ts';
 import { ownModel } from '../bench/series.ts';
 import type { OwnModel } from '../bench/settings.ts';
@@ -14,6 +16,7 @@ export interface ThumbnailJob {
   readonly parameters: Readonly<Record<string, ParameterValue>>;
   readonly multipleScattering: boolean;
   readonly emission: Rgb;
+  readonly patterns: readonly PatternUse[];
 }
 
 export interface ThumbnailRequest {
@@ -41,7 +44,22 @@ export function jobOf(
     parameters,
     multipleScattering,
     emission,
+    patterns: patternsOf(document, material),
   };
+}
+
+function patternsOf(
+  { assets }: Pick<Document, 'assets'>,
+  { textures = {}, normalMap }: Partial<Material>,
+): PatternUse[] {
+  const refs = [...Object.entries(textures), ...(normalMap ? [['normalMap', normalMap] as const] : [])];
+  return refs.flatMap(([place, ref]) => {
+    const asset = assets[ref.asset];
+    if (!asset || !isPattern(asset)) return [];
+    const { texture, channel, repeat, offset, rotation } = ref;
+    const scale = 'scale' in ref ? Number(ref.scale) : 1;
+    return [{ place, data: asset.data, ref: { texture, channel, repeat, offset, rotation }, scale }];
+  });
 }
 
 const NONE = { models: {}, assets: {} };
@@ -61,9 +79,9 @@ export function keyOf({ model: name, source, ...look }: ThumbnailJob, size: numb
   const of = origin ?? model;
   const known = modelKeys.get(of) ?? hash(origin && 'data' in origin ? origin.data : textOf(model));
   modelKeys.set(of, known);
-  const { parameters, multipleScattering, emission } = look;
+  const { parameters, multipleScattering, emission, patterns } = look;
   const values = Object.entries(parameters).sort(([a], [b]) => (a < b ? -1 : 1));
-  return `${THUMBNAIL_VERSION} ${size} ${known} ${JSON.stringify([values, multipleScattering, emission])}`;
+  return `${THUMBNAIL_VERSION} ${size} ${known} ${JSON.stringify([values, multipleScattering, emission, ...patterns])}`;
 }
 
 const textOf = ({ file }: Model): string =>

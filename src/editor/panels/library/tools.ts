@@ -23,6 +23,7 @@ export interface MaterialContext {
   /** The picture's element. */
   readonly view: HTMLElement;
   readonly outliner: HTMLElement;
+  readonly inspector: HTMLElement;
   /** Null until they have started, and where they cannot. */
   renderer(): RealtimeRenderer | null;
   viewport(): Viewport | null;
@@ -37,7 +38,7 @@ export interface MaterialTools {
 }
 
 export function createMaterialTools(context: MaterialContext): MaterialTools {
-  const { session, mirror, assets, view, outliner } = context;
+  const { session, mirror, assets, view } = context;
   const thumbnails = new Thumbnails();
   const library = createLibrary(session, thumbnails, (offer) =>
     offer.kind === 'scene'
@@ -46,7 +47,7 @@ export function createMaterialTools(context: MaterialContext): MaterialTools {
   );
   document.getElementById('app')?.append(library.element);
   installDropTarget(session, view, mirror);
-  installScenePictures(session, outliner, mirror, thumbnails);
+  installScenePictures(session, context, mirror, thumbnails);
   // Not before somebody wants one, by when the renderer has started.
   const compareFirst = session.state.subscribe(({ comparison }) => {
     const [renderer, viewport] = [context.renderer(), context.viewport()];

@@ -127,7 +127,9 @@ export async function openVary(session: Session, thumbnails: Thumbnails, id: str
       const to = blend && contentOf(blend.to, store.document);
       if (!blend || !model || !to || to.material.model !== now.model) return;
       const title = titleOf(blend.to, store.document);
-      const values = between(model, blend.from, to.material.parameters, value);
+      // Of a pattern its mean: what is blended are values.
+      const target = blend.to.kind === 'library' ? blend.to.entry.look.parameters : to.material.parameters;
+      const values = between(model, blend.from, target, value);
       const { merge } = blend;
       attempt(t('The material stays as it was'), () =>
         setValues(store, id, t('Blend with {name}', { name: title }), values, merge),

@@ -89,7 +89,7 @@ export function installRowDrag(
     // The browser has taken its picture by then.
     setTimeout(() => picture.remove());
   });
-  list.addEventListener('dragover', (event) => {
+  const follow = (event: DragEvent) => {
     if (!dragged) return;
     pointer = event.clientY;
     if (frame === 0) frame = requestAnimationFrame(scroll);
@@ -102,7 +102,10 @@ export function installRowDrag(
     if (!landing) return;
     event.preventDefault();
     if (event.dataTransfer) event.dataTransfer.dropEffect = 'move';
-  });
+  };
+  list.addEventListener('dragover', follow);
+  // Of a row that it comes to, the browser says no more at first; and while the list scrolls, each move comes to another one.
+  list.addEventListener('dragenter', follow);
   view.element.addEventListener('dragleave', (event) => {
     const to = event.relatedTarget;
     if (to instanceof Node && view.element.contains(to)) return;

@@ -5,10 +5,11 @@ import { isMember } from '../../../scene/entity.ts';
 import { groupOf, groupsAround, unitsOf } from '../../../scene/groups.ts';
 import { attempt, renameEntity } from '../../commands.ts';
 import { t } from '../../language/language.ts';
-import { toggleLocked, toggleVisible } from '../../selection.ts';
+import { toggleAlone, toggleLocked, toggleVisible } from '../../selection.ts';
 import type { Session } from '../../session.ts';
 import type { Entity } from '../../state.ts';
 import { h } from '../../ui/dom.ts';
+import { Follower } from '../../ui/follower.ts';
 import { openMenu } from '../../ui/menu.ts';
 import { selectionEntries } from '../selection-menu.ts';
 import { installRowDrag } from './drag.ts';
@@ -18,6 +19,9 @@ import { createSearch } from './search.ts';
 import { between, chosenIn, entitiesOf, toggled, union } from './selecting.ts';
 import { entityKey, groupKey, sectionKey, type TreeRow, treeRows } from './tree.ts';
 import { createWindow } from './window.ts';
+
+/** Rows of more objects than this follow an edit or a selection in a task of their own. */
+const AT_ONCE = 500;
 
 export interface Outliner {
   readonly element: HTMLElement;
@@ -39,6 +43,9 @@ export function createOutliner(session: Session): Outliner {
   let renaming = false;
   /** The selection is being changed here: the keys are where the person put them. */
   let choosing = false;
+  /** The rows are of an earlier document; what is selected was not brought into sight yet. */
+  let [isStale, isSought] = [false, false];
+  const follow = new Follower(catchUp, () => Object.keys(store.document.objects).length <= AT_ONCE);
 
   const list = h('div', {
     class: 'outliner-tree',
@@ -52,11 +59,16 @@ export function createOutliner(session: Session): Outliner {
   const view = createWindow(list, rowHeight, draw);
   const search = createSearch({
     onQuery(next) {
+      follow.now();
       query = next;
       rebuild();
       view.element.scrollTop = 0;
+      // What was selected is where the keys go on.
+      if (next === '') reveal(state.value.selection);
+      view.update(rows.length);
     },
     onLeave: (intoList) => {
+      follow.now();
       const first = rows.findIndex(({ target }) => target.type === 'entity');
       if (intoList && rows[first]) choose(first, 'select');
       list.focus();
@@ -71,7 +83,24 @@ export function createOutliner(session: Session): Outliner {
     view.update(rows.length);
   }
 
+  function catchUp(): void {
+    const [wasStale, wasSought] = [isStale, isSought];
+    [isStale, isSought] = [false, false];
+    if (wasStale) {
+      const before = indexOf(current);
+      rebuild();
+      // What was moved stays in sight.
+      const now = indexOf(current);
+      if (now !== before && now >= 0 && current !== 'scene') view.reveal(now);
+    }
+    if (!wasSought) return;
+    reveal(state.value.selection);
+    view.update(rows.length);
+  }
+
   function draw(first: number, last: number): void {
+    // What they stand for may be gone.
+    if (isStale) return;
     const near = rows.slice(first, last);
     const wanted = new Set(near.map(({ key }) => key));
     // The name that is being typed stays, and what is being dragged.
@@ -101,6 +130,7 @@ export function createOutliner(session: Session): Outliner {
 
   const indexOf = (key: string) => rows.findIndex((row) => row.key === key);
   const rowOf = (event: Event): number => {
+    follow.now();
     const row = event.target instanceof Element ? event.target.closest('.outliner-row') : null;
     return row ? indexOf(keyOfRow(row)) : -1;
   };
@@ -161,7 +191,8 @@ export function createOutliner(session: Session): Outliner {
     const part = partOf(event);
     const members = entitiesOf(store.document, row.target).filter(isMember);
     const held = event.ctrlKey || event.metaKey;
-    if (part === 'eye') toggleVisible(session, members);
+    if (part === 'eye' && event.altKey) toggleAlone(session, members);
+    else if (part === 'eye') toggleVisible(session, members);
     else if (part === 'lock') toggleLocked(session, members);
     else if (row.expanded !== null && (part === 'twisty' || row.target.type === 'section'))
       fold(row.key, row.expanded);
@@ -184,6 +215,7 @@ export function createOutliner(session: Session): Outliner {
   });
   list.addEventListener('keydown', (event) => {
     if (event.target !== list) return;
+    follow.now();
     const at = indexOf(current);
     const move = treeMove(event, rows, at);
     const row = rows[at];
@@ -203,7 +235,10 @@ export function createOutliner(session: Session): Outliner {
   const drag = installRowDrag(session, {
     list,
     view,
-    rows: () => rows,
+    rows() {
+      follow.now();
+      return rows;
+    },
     rowAt: rowOf,
     elementOf: (key) => elements.get(key)?.element,
   });
@@ -235,16 +270,16 @@ export function createOutliner(session: Session): Outliner {
     if (reason === 'open') folded.clear();
     const parts = ['groups', 'lights', 'objects', 'materials'] as const;
     if (!parts.some((part) => document[part] !== previous[part])) return;
-    const before = indexOf(current);
-    rebuild();
-    // What was moved stays in sight.
-    const now = indexOf(current);
-    if (now !== before && now >= 0 && current !== 'scene') view.reveal(now);
+    isStale = true;
+    follow.soon();
   });
-  state.subscribe(({ selected, selection }, previous) => {
+  state.subscribe(({ selected }, previous) => {
     if (selected === previous.selected) return;
-    if (!choosing) reveal(selection);
-    view.update(rows.length);
+    if (choosing) view.update(rows.length);
+    else {
+      isSought = true;
+      follow.soon();
+    }
   });
   // The height of what is seen is known only on the page.
   new ResizeObserver(() => view.update(rows.length)).observe(view.element);
@@ -254,6 +289,7 @@ export function createOutliner(session: Session): Outliner {
     element,
     search: () => search.focus(),
     renameSelected() {
+      follow.now();
       const { selection, selected } = state.value;
       if (!selection) return;
       const at = rows[indexOf(current)];

@@ -1,11 +1,13 @@
 /** What the outliner shows, as plain rows: the scene, the groups with what is in them, then the rest by kind. */
 import type { EntityKind } from '../../../scene/entity.ts';
 import { geometryNames } from '../../../scene/geometry-schema.ts';
+import { lightDefaults } from '../../../scene/light-schema.ts';
 import { contentsOf } from '../../../scene/order.ts';
 import type { Document } from '../../../scene/schema.ts';
 import { t, translate } from '../../language/language.ts';
 import type { Entity } from '../../state.ts';
 import { type IconName, isIcon } from '../../ui/icons.ts';
+import { plain } from '../palette/fuzzy.ts';
 
 /** What a row stands for. */
 export type RowTarget =
@@ -57,12 +59,12 @@ interface Item {
 }
 
 export function treeRows(document: Document, { folded, query }: TreeOptions): TreeRow[] {
-  const words = query.toLocaleLowerCase().split(/\s+/).filter(Boolean);
+  const words = plain(query).split(/\s+/).filter(Boolean);
   const contents = contentsOf(document);
   const searching = words.length > 0;
   const isFolded = (key: string) => !searching && folded.has(key);
   const matches = (...texts: string[]) => {
-    const text = texts.join(' ').toLocaleLowerCase();
+    const text = plain(texts.join(' '));
     return words.every((word) => text.includes(word));
   };
 
@@ -170,7 +172,8 @@ export function iconOf(document: Document, { kind, id }: Entity): IconName {
 /** The words by which it is found; the last of them says most. */
 export function kindWords(document: Document, { kind, id }: Entity): readonly [general: string, own: string] {
   if (kind === 'materials') return [t('material'), document.materials[id]?.model ?? ''];
-  if (kind === 'lights') return [t('light'), inWords(`${document.lights[id]?.type ?? ''} light`)];
+  if (kind === 'lights')
+    return [t('light'), inWords(lightDefaults[document.lights[id]?.type ?? 'point'].name)];
   return [t('object'), inWords(geometryNames[document.objects[id]?.geometry.type ?? 'gltf'])];
 }
 

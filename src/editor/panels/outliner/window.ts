@@ -1,13 +1,13 @@
 /**
  * Shows a long list of rows of one height by the rows that are near what is seen. The list is as high as all of
- * them, so that the browser scrolls it; a few hundred rows are all there, for finding in the page and for tests.
+ * them, so that the browser scrolls it; a hundred rows are all there, for finding in the page and for tests.
  */
 import { h } from '../../ui/dom.ts';
 
 /** Rows beyond what is seen that are there, too, above and below. */
-const OVERSCAN = 120;
+const OVERSCAN = 40;
 /** The window moves in steps of so many rows. */
-const STEP = 40;
+const STEP = 20;
 
 export interface RowWindow {
   readonly element: HTMLElement;

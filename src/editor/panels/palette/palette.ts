@@ -51,7 +51,12 @@ export function openPalette(session: Session): void {
   const option = (item: PaletteItem, index: number) => {
     const element = h(
       'div',
-      { class: 'palette-item', role: 'option', id: `palette-${index}` },
+      {
+        class: 'palette-item',
+        role: 'option',
+        id: `palette-${index}`,
+        'aria-disabled': String(item.disabled ?? false),
+      },
       item.icon ? icon(item.icon) : h('span', { class: 'icon' }),
       h('span', { class: 'palette-title' }, item.title),
       h('span', { class: 'palette-kind' }, item.kind),
@@ -73,6 +78,7 @@ export function openPalette(session: Session): void {
     else input.removeAttribute('aria-activedescendant');
   };
   const run = (item: PaletteItem) => {
+    if (item.disabled) return;
     // First: what opens a dialog of its own must find none.
     dialog.close();
     // Its event comes only later, when another palette may be open.

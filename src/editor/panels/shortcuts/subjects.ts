@@ -56,6 +56,12 @@ export function subjectsOf(actions: readonly Action[]): Subject[] {
 export function fixedKeys(): { readonly title: string; readonly keys: string }[] {
   return [
     { title: t('Number: a step more or less; Shift finer, Alt coarser'), keys: '↑ ↓' },
+    { title: t('Drag over a number: Shift finer, Ctrl coarser, Esc as it was'), keys: '↔' },
+    { title: t('During a drag: along an axis, with Shift across it'), keys: 'X Y Z' },
+    {
+      title: t('During a drag: how far, with arithmetic; a space before the next axis'),
+      keys: '0–9 . - * /',
+    },
     { title: t('Slider: a hundredth; Shift finer'), keys: '← → ↑ ↓' },
     {
       title: t('Slider: a tenth, and to either end'),

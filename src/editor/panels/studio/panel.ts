@@ -20,7 +20,8 @@ import { h } from '../../ui/dom.ts';
 import { row, selectField } from '../../ui/fields.ts';
 import { iconButton } from '../../ui/icon-button.ts';
 import type { Cell } from '../inspector/cell.ts';
-import { type Bound, shapeFields } from '../inspector/field.ts';
+import { type Bound, labelOf, shapeFields } from '../inspector/field.ts';
+import { isTemperature, temperatureRow } from '../inspector/temperature.ts';
 import { studioPicture } from './picture.ts';
 
 /** Where the picture shows it in its middle; all else is a soft box's own. */
@@ -60,6 +61,8 @@ export function studioPanel(session: Session): Bound {
   const fields = shapeFields(softBoxShape, {
     cell: (name, label) => boxCell(name, t('Change {label}', { label: label.toLowerCase() })),
     defaults: softBoxDefaults,
+    custom: (name, info, cell) =>
+      isTemperature(info) ? temperatureRow(labelOf(name), info, cell) : undefined,
   });
   function boxCell(name: string, label: string): Cell {
     return {

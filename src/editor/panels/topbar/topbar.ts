@@ -1,16 +1,15 @@
 /** The top bar: files, what can be added, undo and redo, the term that is looked at, screenshot. */
 
-import { removeUnused } from '../../../scene/commands.ts';
-import { addableGeometries, geometryNames } from '../../../scene/geometry-schema.ts';
-import { lightDefaults, lightTypes } from '../../../scene/light-schema.ts';
 import { actionEntry, type EntryLook } from '../../actions/entry.ts';
-import { attempt, toggleBench, toggleHelpers } from '../../commands.ts';
+import { toggleBench, toggleHelpers } from '../../commands.ts';
 import { t, translate } from '../../language/language.ts';
 import type { Session } from '../../session.ts';
 import { h } from '../../ui/dom.ts';
-import { icon, isIcon } from '../../ui/icons.ts';
+import { icon } from '../../ui/icons.ts';
 import { type MenuEntry, menuButton, openMenu } from '../../ui/menu.ts';
+import { addEntries } from '../add-menu.ts';
 import { createTitle } from '../documents/title.ts';
+import { exportEntries } from '../export/entries.ts';
 import { presetEntries } from '../inspector/preset.ts';
 import { createLearnButton } from '../lesson/button.ts';
 import { selectionEntries } from '../selection-menu.ts';
@@ -21,7 +20,6 @@ export interface TopbarActions {
   openShipped(name: string): void;
   /** More pictures that can be saved; none while there is only the one that is shown. */
   tracedPictures(): MenuEntry[];
-  exports(): MenuEntry[];
   shippedScenes: readonly { name: string; title: string }[];
 }
 
@@ -135,7 +133,7 @@ function fileEntries(session: Session, actions: TopbarActions): MenuEntry[] {
     }),
     screenshotEntry(session),
     ...actions.tracedPictures(),
-    ...actions.exports(),
+    ...exportEntries(session),
     'separator',
     { heading: t('Scenes') },
     ...actions.shippedScenes.map(
@@ -169,25 +167,7 @@ function editEntries(session: Session): MenuEntry[] {
     { heading: t('Preset of the effects') },
     ...presetEntries(session),
     'separator',
-    {
-      label: t('Remove unused materials and files'),
-      run: () => attempt(t('Nothing was removed'), () => removeUnused(store)),
-    },
-  ];
-}
-
-function addEntries({ actions }: Session): MenuEntry[] {
-  const entry = (type: string, name: string): MenuEntry =>
-    actionEntry(actions, `add.${type}`, { label: translate(name), icon: isIcon(type) ? type : 'mesh' });
-  return [
-    { heading: t('Objects') },
-    ...addableGeometries.map((type) => entry(type, geometryNames[type])),
-    'separator',
-    { heading: t('Lights') },
-    ...lightTypes.map((type) => entry(type, lightDefaults[type].name)),
-    'separator',
-    entry('material', 'Material'),
-    actionEntry(actions, 'material.library', { icon: 'material', label: t('Material of the library…') }),
+    actionEntry(actions, 'edit.removeUnused'),
   ];
 }
 

@@ -1,8 +1,9 @@
 /** What a handle's way under the pointer means: an offset, a turn or factors. */
 import { MathUtils, type Ray, Vector3 } from 'three/webgpu';
+import type { Steps } from '../../state.ts';
 import type { Pixel } from '../projector.ts';
 import type { Frame } from './frame.ts';
-import { AXES, type GizmoTool, type GizmoView, type HandleId, PLANES } from './handles.ts';
+import { AXES, type GizmoTool, type GizmoView, type HandleId, PLANES, SIZES } from './handles.ts';
 import type { Change, Triple } from './placed.ts';
 import { alongLine, angleAbout, onPlane, unwrapped } from './rays.ts';
 
@@ -11,9 +12,6 @@ export interface Pointer {
   readonly at: Pixel;
   readonly ray: Ray;
 }
-
-/** Steps that a person can count on. */
-export const STEPS = { move: 0.1, /** Degrees. */ rotate: 15, scale: 0.1 } as const;
 
 /** Scales stay above this: a thing that is turned inside out is hard to get hold of. */
 const LEAST_FACTOR = 0.01;
@@ -31,19 +29,22 @@ export function startDrag(
   frame: Frame,
   view: GizmoView,
   start: Pointer,
+  steps: Steps,
 ): Drag {
-  if (tool === 'rotate') return turning(id, frame, view, start);
-  return tool === 'move' ? moving(id, frame, view, start) : scaling(id, frame, start);
+  if (tool === 'rotate') return turning(id, frame, view, start, MathUtils.degToRad(steps.rotate));
+  return tool === 'move'
+    ? moving(id, frame, view, start, steps.move)
+    : scaling(id, frame, start, steps.scale);
 }
 
 const snapped = (value: number, step: number, snap: boolean) =>
   snap ? Math.round(value / step) * step : value;
 
-const axisOf = (id: HandleId): number => AXES.indexOf(id as (typeof AXES)[number]);
+export const axisOf = (id: HandleId): number => AXES.indexOf(id as (typeof AXES)[number]);
 const planeOf = (id: HandleId): number => PLANES.indexOf(id as (typeof PLANES)[number]);
-const towards = ({ pivot }: Frame, { eye }: GizmoView): Vector3 => eye.clone().sub(pivot).normalize();
+export const towards = ({ pivot }: Frame, { eye }: GizmoView): Vector3 => eye.clone().sub(pivot).normalize();
 
-function moving(id: HandleId, frame: Frame, view: GizmoView, start: Pointer): Drag {
+function moving(id: HandleId, frame: Frame, view: GizmoView, start: Pointer, step: number): Drag {
   const { pivot, axes } = frame;
   const axis = axes[axisOf(id)];
   if (axis) {
@@ -51,7 +52,7 @@ function moving(id: HandleId, frame: Frame, view: GizmoView, start: Pointer): Dr
     return ({ ray }, snap) => {
       const to = alongLine(ray, pivot, axis);
       if (from === null || to === null) return null;
-      return { type: 'move', offset: axis.clone().multiplyScalar(snapped(to - from, STEPS.move, snap)) };
+      return { type: 'move', offset: axis.clone().multiplyScalar(snapped(to - from, step, snap)) };
     };
   }
   const normal = axes[planeOf(id)] ?? towards(frame, view);
@@ -63,19 +64,18 @@ function moving(id: HandleId, frame: Frame, view: GizmoView, start: Pointer): Dr
     if (!snap) return { type: 'move', offset };
     const steps = new Vector3();
     for (const direction of axes)
-      steps.addScaledVector(direction, snapped(offset.dot(direction), STEPS.move, true));
+      steps.addScaledVector(direction, snapped(offset.dot(direction), step, true));
     return { type: 'move', offset: steps };
   };
 }
 
-function turning(id: HandleId, frame: Frame, view: GizmoView, start: Pointer): Drag {
+function turning(id: HandleId, frame: Frame, view: GizmoView, start: Pointer, step: number): Drag {
   const sight = towards(frame, view);
   const axis = frame.axes[axisOf(id)] ?? sight;
   const measure =
     Math.abs(axis.dot(sight)) > EDGE_ON
       ? angleInPlane(axis, frame, start)
       : angleAlongEdge(axis, sight, frame, view, start);
-  const step = MathUtils.degToRad(STEPS.rotate);
   let last = 0;
   return (now, snap) => {
     const angle = measure(now, last);
@@ -105,9 +105,9 @@ function angleAlongEdge(
   view: GizmoView,
   start: Pointer,
 ): Measure {
-  // The way of the point that is nearest to the eye.
+  // The way of the point that is nearest to the eye; where on the ring it was taken hold of does not matter.
   const way = new Vector3().crossVectors(axis, sight).normalize();
-  const radius = start.ray.distanceToPoint(pivot);
+  const radius = SIZES.ring * view.pixel;
   const [a, b] = [view.project(pivot), view.project(pivot.clone().addScaledVector(way, radius))];
   if (!a || !b) return () => null;
   const [dx, dy] = [b.x - a.x, b.y - a.y];
@@ -115,9 +115,9 @@ function angleAlongEdge(
   return ({ at }) => (length2 > 0 ? ((at.x - start.at.x) * dx + (at.y - start.at.y) * dy) / length2 : null);
 }
 
-function scaling(id: HandleId, { pivot, axes }: Frame, start: Pointer): Drag {
+function scaling(id: HandleId, { pivot, axes }: Frame, start: Pointer, step: number): Drag {
   const limited = (factor: number, snap: boolean) =>
-    Math.max(snap ? STEPS.scale : LEAST_FACTOR, snapped(factor, STEPS.scale, snap));
+    Math.max(snap ? step : LEAST_FACTOR, snapped(factor, step, snap));
   const axis = axisOf(id);
   const plane = planeOf(id);
   if (id === 'centre') {

@@ -5,7 +5,10 @@
  * traced picture, the inspector's numbers and the motion that effects read all follow the document, and none of them
  * has to be told of another state. An edit that moves something sets matrices, which compiles nothing.
  */
+
+import { isMember } from '../../../scene/entity.ts';
 import type { SceneMirror } from '../../../scene/mirror.ts';
+import { duplicateEntities } from '../../../scene/selection-commands.ts';
 import { type PlacedEntity, place } from '../../../scene/transform-commands.ts';
 import { attempt } from '../../commands.ts';
 import { t } from '../../language/language.ts';
@@ -13,13 +16,16 @@ import type { Session } from '../../session.ts';
 import { newGesture } from '../../ui/gesture.ts';
 import type { Pixel } from '../projector.ts';
 import { pointerRay } from './camera-view.ts';
-import { type Drag, type Pointer, startDrag } from './drag.ts';
+import { type Pointer, startDrag } from './drag.ts';
 import { drawGizmo, drawTarget } from './draw.ts';
-import { type HandleId, handleAt } from './handles.ts';
+import { handleAt } from './handles.ts';
+import { changeOf, constrain, type Grip, type Held } from './held.ts';
+import { moversOf } from './movers.ts';
 import { pictureOf } from './picture.ts';
-import { type Change, changed, handStep } from './placed.ts';
+import { changed, handStep } from './placed.ts';
 import { labelOf, type Stand, Stands } from './stand.ts';
 import { aimAt, type Target, targetsOf } from './targets.ts';
+import { typedAfter } from './typed.ts';
 
 export interface GizmoOptions {
   readonly canvas: HTMLCanvasElement;
@@ -37,29 +43,18 @@ export interface GizmoOptions {
 
 /** CSS pixels beside a line that still count, by what points. */
 const REACH = { mouse: 7, touch: 18 } as const;
+/** CSS pixels from the middle to where something is held without a pointer. */
+const ARM_PX = 80;
 /** A pointer that has moved less has not dragged. */
 const DRAG_PX = 3;
-
-/** What the pointer is on: a handle, or the target of a light. */
-type Grip = { readonly handle: HandleId } | { readonly target: Target };
-
-interface Held {
-  readonly pointerId: number;
-  readonly grip: Grip;
-  readonly stand: Stand | null;
-  readonly drag: Drag | null;
-  readonly start: Pointer;
-  readonly merge: string;
-  last: { readonly pointer: Pointer; readonly ctrl: boolean };
-  change: Change | null;
-  moved: boolean;
-}
 
 export class Gizmo {
   readonly #options: GizmoOptions;
   readonly #stands: Stands;
   #hovered: Grip | null = null;
   #held: Held | null = null;
+  /** Where the pointer was last, on the page. */
+  #at: { readonly clientX: number; readonly clientY: number } | null = null;
 
   constructor(options: GizmoOptions) {
     this.#options = options;
@@ -71,7 +66,11 @@ export class Gizmo {
     canvas.addEventListener('pointermove', (event) => this.#move(event), capture);
     canvas.addEventListener('pointerup', (event) => this.#up(event), capture);
     canvas.addEventListener('pointercancel', () => this.#abandon(), capture);
-    canvas.addEventListener('pointerleave', () => this.#hover(null));
+    canvas.addEventListener('pointerleave', () => {
+      this.#at = null;
+      this.#hover(null);
+    });
+    window.addEventListener('pointerdown', (event) => this.#press(event), capture);
     window.addEventListener('keydown', (event) => this.#key(event), capture);
     window.addEventListener('keyup', (event) => this.#key(event), capture);
     session.state.subscribe((now, before) => {
@@ -92,7 +91,14 @@ export class Gizmo {
     const handle = grip && 'handle' in grip ? grip.handle : null;
     const dragged =
       handle !== null && held?.stand && held.change
-        ? { handle, change: held.change, from: held.stand, start: held.start, at: held.last.pointer.at }
+        ? {
+            handle,
+            change: held.change,
+            from: held.stand,
+            start: held.start,
+            at: held.last.pointer.at,
+            typed: held.typed,
+          }
         : null;
     drawGizmo(context, pictureOf(stand, handle, dragged));
   }
@@ -142,42 +148,93 @@ export class Gizmo {
       return;
     }
     const { canvas, isTaken } = this.#options;
-    // Shift and Alt select.
-    if (event.button !== 0 || event.shiftKey || event.altKey || isTaken()) return;
+    // Shift selects.
+    if (event.button !== 0 || event.shiftKey || isTaken()) return;
     const start = this.#pointer(event);
     const grip = this.#gripAt(start.at, event.pointerType === 'mouse' ? REACH.mouse : REACH.touch);
-    if (!grip) return;
+    // With Alt copies are dragged; of a target there are none.
+    if (!grip || (event.altKey && 'target' in grip)) return;
     event.stopImmediatePropagation();
     if (document.activeElement instanceof HTMLElement) document.activeElement.blur();
     canvas.setPointerCapture(event.pointerId);
+    this.#hold(event.pointerId, grip, start, event);
+  }
+
+  #hold(
+    pointerId: number | null,
+    grip: Grip,
+    start: Pointer,
+    { altKey, ctrlKey, metaKey }: Pick<PointerEvent, 'altKey' | 'ctrlKey' | 'metaKey'>,
+  ): void {
     this.#options.holdCamera(true);
     const stand = this.#stand();
-    const drag =
-      stand && 'handle' in grip ? startDrag(stand.tool, grip.handle, stand.frame, stand.view, start) : null;
+    const { selected, steps } = this.#options.session.state.value;
     this.#held = {
-      pointerId: event.pointerId,
+      pointerId,
       grip,
       stand,
-      drag,
+      drag:
+        stand && 'handle' in grip
+          ? startDrag(stand.tool, grip.handle, stand.frame, stand.view, start, steps)
+          : null,
       start,
       merge: newGesture(),
-      last: { pointer: start, ctrl: event.ctrlKey || event.metaKey },
+      ...{ selected, steps },
+      last: { pointer: start, ctrl: ctrlKey || metaKey },
       change: null,
       moved: false,
+      typed: '',
+      copies: altKey,
     };
     this.#hover(grip);
     this.#options.redraw();
   }
 
+  /** Whether the pointer would take hold of something here. */
+  isAt(event: PointerEvent): boolean {
+    return this.#gripAt(this.#pointer(event).at, REACH.mouse) !== null;
+  }
+
+  /** Takes hold of what is selected without a button: it follows the pointer, or what is typed, until a click or Enter. */
+  grab(): void {
+    const { canvas, session, isTaken } = this.#options;
+    if (this.#held || isTaken()) return;
+    const { tool } = session.state.value;
+    if (tool === 'select' || tool === 'box') session.state.set({ tool: 'move' });
+    const stand = this.#stand();
+    const middle = stand?.view.project(stand.frame.pivot);
+    if (!stand || !middle) return;
+    const box = canvas.getBoundingClientRect();
+    // Beside the middle, about which it turns, where there is no pointer.
+    const at = this.#at ?? { clientX: box.left + middle.x + ARM_PX, clientY: box.top + middle.y };
+    const handle = stand.tool === 'rotate' ? 'view' : 'centre';
+    const start = pointerRay(this.#options.mirror.camera, canvas, at);
+    this.#hold(null, { handle }, start, { altKey: false, ctrlKey: false, metaKey: false });
+  }
+
+  /** A click anywhere ends what follows the pointer without a button; the right one puts it back. */
+  #press(event: PointerEvent): void {
+    if (!this.#held || this.#held.pointerId !== null) return;
+    if (event.target === this.#options.canvas) event.stopImmediatePropagation();
+    if (event.button === 2) this.#abandon();
+    else this.#confirm();
+  }
+
   #move(event: PointerEvent): void {
     const held = this.#held;
+    this.#at = event;
     if (!held) {
       if (event.buttons === 0 && event.pointerType !== 'touch')
         this.#hover(this.#gripAt(this.#pointer(event).at, REACH.mouse));
       return;
     }
     event.stopImmediatePropagation();
-    if (event.pointerId !== held.pointerId) return;
+    if (held.pointerId !== null && event.pointerId !== held.pointerId) return;
+    // The right button, too: it is put back.
+    if (held.pointerId !== null && event.buttons & 2) {
+      this.#abandon();
+      return;
+    }
     const pointer = this.#pointer(event);
     held.last = { pointer, ctrl: event.ctrlKey || event.metaKey };
     held.moved ||= Math.hypot(pointer.at.x - held.start.at.x, pointer.at.y - held.start.at.y) >= DRAG_PX;
@@ -187,14 +244,15 @@ export class Gizmo {
   #apply(held: Held): void {
     const { session } = this.#options;
     const snap = held.last.ctrl !== session.state.value.snap;
-    if ('target' in held.grip) this.#aim(held, held.grip.target, snap);
+    if ('target' in held.grip) this.#aim(held, held.grip.target, snap ? held.steps.move : null);
     else this.#transform(held, snap);
     // A pointer that moves where the document stays as it is still moves the numbers beside it.
     this.#options.redraw();
   }
 
   #transform(held: Held, snap: boolean): void {
-    const change = held.drag?.(held.last.pointer, snap);
+    if (held.copies) this.#copy(held);
+    const change = changeOf(held, snap);
     const { stand } = held;
     if (!change || !stand) return;
     held.change = change;
@@ -209,9 +267,20 @@ export class Gizmo {
     this.#write(held, labelOf(stand), entities);
   }
 
-  #aim(held: Held, target: Target, snap: boolean): void {
+  /** What is dragged from now on are copies, in the same step of undo. */
+  #copy(held: Held): void {
+    const { store, state } = this.#options.session;
+    held.copies = false;
+    const members = held.selected.filter(isMember);
+    const copies = attempt(t('Not duplicated'), () => duplicateEntities(store, members, held.merge));
+    if (!copies || !held.stand) return;
+    state.selectAll(copies);
+    held.stand = { ...held.stand, movers: moversOf(store.document, copies) };
+  }
+
+  #aim(held: Held, target: Target, step: number | null): void {
     const { mirror } = this.#options;
-    const position = aimAt(mirror, target, held.last.pointer, snap);
+    const position = aimAt(mirror, target, held.last.pointer, step);
     if (position)
       this.#write(held, t('Aim {name}', { name: target.name }), [
         { kind: 'lights', id: target.id, placement: { target: position } },
@@ -227,17 +296,25 @@ export class Gizmo {
     const held = this.#held;
     if (!held || event.pointerId !== held.pointerId) return;
     event.stopImmediatePropagation();
+    this.#confirm();
+    if (held.moved || !('handle' in held.grip)) return;
+    // The middle covers what it moves, and a click with Alt is for what is behind; the other handles are nobody else's.
+    if (held.grip.handle === 'centre' || event.altKey) this.#options.onClick(event);
+  }
+
+  #confirm(): void {
+    if (!this.#held) return;
     this.#release();
     this.#options.session.store.endMerge();
-    // The middle covers what it moves; the other handles are nobody else's.
-    if (!held.moved && 'handle' in held.grip && held.grip.handle === 'centre') this.#options.onClick(event);
   }
 
   #abandon(): void {
     const held = this.#held;
     if (!held) return;
     this.#release();
-    this.#options.session.store.abandon(held.merge);
+    const { store, state } = this.#options.session;
+    store.abandon(held.merge);
+    state.selectAll(held.selected);
   }
 
   #release(): void {
@@ -247,16 +324,33 @@ export class Gizmo {
     this.#options.redraw();
   }
 
-  /** Escape puts it back; Ctrl goes to steps and back; nothing else happens to the scene during a drag. */
+  /**
+   * Escape puts it back, Enter ends it, Ctrl goes to steps and back, x, y and z hold it to an axis, and numbers say how far;
+   * nothing else happens to the scene during a drag.
+   */
   #key(event: KeyboardEvent): void {
     const held = this.#held;
     if (!held) return;
     event.stopImmediatePropagation();
     event.preventDefault();
-    if (event.key === 'Escape') this.#abandon();
-    else if (event.key === 'Control' || event.key === 'Meta') {
-      held.last = { ...held.last, ctrl: event.type === 'keydown' };
-      if (held.moved) this.#apply(held);
+    const { key, type, shiftKey } = event;
+    if (key === 'Control' || key === 'Meta') held.last = { ...held.last, ctrl: type === 'keydown' };
+    else if (type === 'keyup') return;
+    else if (key === 'Escape') {
+      this.#abandon();
+      return;
+    } else if (key === 'Enter') {
+      this.#confirm();
+      return;
+    } else if (event.ctrlKey || event.metaKey || event.altKey || !('handle' in held.grip)) return;
+    else if (constrain(held, key, shiftKey)) this.#hover(held.grip);
+    else {
+      const typed = typedAfter(held.typed, key);
+      if (typed === null) return;
+      held.typed = typed;
+      held.moved = true;
     }
+    if (held.moved) this.#apply(held);
+    else this.#options.redraw();
   }
 }

@@ -15,6 +15,11 @@ export const AXES = ['x', 'y', 'z'] as const;
 /** The plane across each axis. */
 export const PLANES = ['yz', 'zx', 'xy'] as const;
 
+/** The axes that a handle changes, by their places: of the middle, all. */
+export function axesIn(id: HandleId): readonly (0 | 1 | 2)[] {
+  return ([0, 1, 2] as const).filter((i) => id === 'centre' || id.includes(AXES[i]));
+}
+
 /** How the scene is seen where the gizmo stands. */
 export interface GizmoView {
   readonly eye: Vector3;

@@ -16,15 +16,18 @@ export interface Dragged {
   readonly start: Pointer;
   /** The pointer now. */
   readonly at: Pixel;
+  /** What has been typed. */
+  readonly typed: string;
 }
 
 export function pictureOf(stand: Stand, hovered: HandleId | null, dragged: Dragged | null): GizmoPicture {
   const { tool, handles, view } = stand;
   if (dragged === null) return { tool, handles, hovered, active: null, guides: [], sector: [], text: null };
-  const { handle, change, from, start, at } = dragged;
+  const { handle, change, from, start, at, typed } = dragged;
   // Only a move takes the pivot along.
   const { pivot } = change.type === 'move' ? stand.frame : from.frame;
   const { guides, sector } = dragGuides(handle, change, { frame: { ...from.frame, pivot }, view }, start);
-  const value = readout(handle, change, from.frame, handStep(from.view.pixel));
+  const done = readout(handle, change, from.frame, handStep(from.view.pixel));
+  const value = typed === '' ? done : `${done}   ${typed}▏`;
   return { tool, handles, hovered, active: handle, guides, sector, text: { at, value } };
 }

@@ -1,7 +1,7 @@
 /** What a drag has done so far, in numbers. */
 import { MathUtils } from 'three/webgpu';
 import type { Frame } from './frame.ts';
-import { AXES, type HandleId } from './handles.ts';
+import { AXES, axesIn, type HandleId } from './handles.ts';
 import type { Change } from './placed.ts';
 
 /** @param step what lengths are rounded to, m */
@@ -24,9 +24,9 @@ export function readout(id: HandleId, change: Change, { axes }: Frame, step: num
 
 /** Those axes that the handle changes, by name. */
 function named(id: HandleId, values: readonly number[], write: (value: number) => string): string {
-  return AXES.flatMap((axis, i) =>
-    id === 'centre' || id.includes(axis) ? [`${axis.toUpperCase()} ${write(values[i] as number)}`] : [],
-  ).join('  ');
+  return axesIn(id)
+    .map((i) => `${AXES[i].toUpperCase()} ${write(values[i] as number)}`)
+    .join('  ');
 }
 
 function signed(value: number, digits: number): string {

@@ -5,7 +5,7 @@ import type { Document } from '../../../scene/schema.ts';
 import type { Entity } from '../../state.ts';
 import { createProjector, type Pixel } from '../projector.ts';
 import { pickAlong } from '../selecting/picking.ts';
-import { type Pointer, STEPS } from './drag.ts';
+import type { Pointer } from './drag.ts';
 import { roundTo, type Triple } from './placed.ts';
 import { onPlane } from './rays.ts';
 
@@ -40,13 +40,20 @@ const STEP = 1e-4;
 /**
  * The surface under the pointer; where there is none, the plane that faces the camera at the target's distance. Null while it is
  * not known.
+ *
+ * @param step that the place is a multiple of, m; null for none
  */
-export function aimAt(mirror: SceneMirror, target: Target, { ray }: Pointer, snap: boolean): Triple | null {
+export function aimAt(
+  mirror: SceneMirror,
+  target: Target,
+  { ray }: Pointer,
+  step: number | null,
+): Triple | null {
   const picked = pickAlong(mirror, ray);
   if (picked instanceof Promise) return null;
   const point =
     picked[0]?.point ??
     onPlane(ray, new Vector3(...target.position), mirror.camera.getWorldDirection(new Vector3()));
   if (!point) return null;
-  return point.toArray().map((x) => roundTo(snap ? roundTo(x, STEPS.move) : x, STEP)) as Triple;
+  return point.toArray().map((x) => roundTo(step === null ? x : Math.round(x / step) * step, STEP)) as Triple;
 }

@@ -2,7 +2,6 @@
 import { Matrix4 } from 'three/webgpu';
 import { Pace } from '../../../pathtracer/scene/pace.ts';
 import type { Answered } from '../../threads/answering.ts';
-import { type MeshEdges, meshEdges } from '../outline/mesh-edges.ts';
 import { fallOf, leastOf, lowestOf, worldTriangles } from '../placing/fall.ts';
 import { buildMeshTree, type MeshTree } from './mesh-tree.ts';
 import type { Shape } from './shape.ts';
@@ -22,7 +21,7 @@ export interface PlacedMesh {
 
 export type MeshQuestion =
   /** The first one is for meshes that something will be asked of. */
-  | { readonly kind: 'mesh' | 'edges' | 'tree'; readonly mesh: SentMesh }
+  | { readonly kind: 'mesh' | 'tree'; readonly mesh: SentMesh }
   | {
       readonly kind: 'fall';
       readonly bodies: readonly (PlacedMesh & { readonly middle: number })[];
@@ -33,7 +32,6 @@ export type MeshQuestion =
 
 export type MeshAnswer =
   | { readonly kind: 'mesh' }
-  | { readonly kind: 'edges'; readonly edges: MeshEdges }
   | { readonly kind: 'tree'; readonly tree: MeshTree }
   | { readonly kind: 'fall'; readonly fall: number | null };
 
@@ -59,11 +57,6 @@ export function meshAnswers(): (question: MeshQuestion) => Promise<Answered<Mesh
       case 'mesh':
         shapeOf(question.mesh);
         return { answer: { kind: 'mesh' } };
-      case 'edges': {
-        const { positions, index } = shapeOf(question.mesh);
-        const edges = meshEdges(positions, index);
-        return { answer: { kind: 'edges', edges }, transfer: buffersOf(edges) };
-      }
       case 'tree': {
         const shape = shapeOf(question.mesh);
         const pace = new Pace();

@@ -1,5 +1,5 @@
 /**
- * What hands need to know of meshes: edges for outlines, trees for picking. Small meshes are looked at at once, triangle by
+ * What hands need to know of meshes: trees for picking, how far they fall. Small meshes are looked at at once, triangle by
  * triangle; of large ones a thread finds it out, once for each geometry, and until it has, they have none. An answer belongs
  * to a geometry, which never changes: one that comes late for a geometry that has gone is of no harm.
  */
@@ -10,18 +10,16 @@ import {
   type Mesh,
 } from 'three/webgpu';
 import { Thread, type ThreadWorker } from '../../threads/thread.ts';
-import { type MeshEdges, meshEdges } from '../outline/mesh-edges.ts';
 import { fallOf, leastOf, lowestOf, worldTriangles } from '../placing/fall.ts';
 import type { MeshAnswer, MeshQuestion, PlacedMesh, SentMesh } from './mesh-jobs.ts';
 import type { MeshTree } from './mesh-tree.ts';
 import type { Shape } from './shape.ts';
 
-/** Up to so many triangles take the page a few milliseconds: 1 for the edges of 1,000, less for the others. */
+/** Up to so many triangles take the page a few milliseconds. */
 export const SMALL = 5_000;
 
 /** What is known of a geometry; a promise of what is being found out. */
 interface Known {
-  edges?: MeshEdges | Promise<void>;
   tree?: MeshTree | Promise<void>;
 }
 
@@ -34,27 +32,6 @@ export class Meshes {
 
   constructor(spawn: () => ThreadWorker) {
     this.#thread = new Thread(spawn);
-  }
-
-  /** Null until they have come, and `onEdges` is called. */
-  edges(geometry: BufferGeometry, onEdges: () => void): MeshEdges | null {
-    const known = this.#of(geometry);
-    if (!known.edges && isSmall(geometry)) {
-      const { positions, index } = this.shape(geometry);
-      known.edges = meshEdges(positions, index);
-    }
-    if (!known.edges) {
-      const asked = this.#thread.ask({ kind: 'edges', mesh: this.#sent(geometry) }).then((answer) => {
-        if (answer.kind === 'edges') known.edges = answer.edges;
-        onEdges();
-      });
-      known.edges = asked;
-      asked.catch(() => {
-        // May be asked for again; without them there is no outline, which bothers nobody.
-        delete known.edges;
-      });
-    }
-    return known.edges instanceof Promise ? null : known.edges;
   }
 
   /** A promise of when it is there, until it is. Only of large meshes. */

@@ -20,6 +20,28 @@ export interface ClickOptions {
 
 type Click = Pick<PointerEvent, 'clientX' | 'clientY' | 'shiftKey' | 'ctrlKey' | 'metaKey' | 'altKey'>;
 
+/** Hands over what is first under the pointer and not locked, once it is known. */
+export function pickFirst(
+  { canvas, mirror, session, overlay }: ClickOptions,
+  event: Pick<MouseEvent, 'clientX' | 'clientY'>,
+  use: (found: Entity | null) => void,
+): void {
+  const { store } = session;
+  const box = canvas.getBoundingClientRect();
+  const [x, y] = [event.clientX - box.left, event.clientY - box.top];
+  const light = overlay.lightAt(x, y);
+  if (light !== null) {
+    use({ kind: 'lights', id: light });
+    return;
+  }
+  const ray = rayAt(mirror, (x / box.width) * 2 - 1, 1 - (y / box.height) * 2);
+  const state = () => [store.document.objects];
+  void whenPicked(mirror, ray, state, (picked) => {
+    const first = picked.find(({ id }) => !store.document.objects[id]?.locked);
+    use(first ? { kind: 'objects', id: first.id } : null);
+  }).catch(ignoreEnd);
+}
+
 /** Selects what is there; with Shift or Ctrl beside what is selected, with Alt what is behind that. */
 export function clickAt(
   { canvas, mirror, session, overlay, focusPicking }: ClickOptions,
@@ -76,9 +98,10 @@ export function installClicks(options: ClickOptions, onDoubleClick: () => void):
     if (document.activeElement instanceof HTMLElement) document.activeElement.blur();
   });
   canvas.addEventListener('pointerup', (event) => {
-    if (!down || Math.hypot(event.clientX - down.x, event.clientY - down.y) > CLICK_PX) return;
+    const from = down;
     down = null;
-    clickAt(options, event);
+    if (from && Math.hypot(event.clientX - from.x, event.clientY - from.y) <= CLICK_PX)
+      clickAt(options, event);
   });
   canvas.addEventListener('dblclick', onDoubleClick);
   // A hand comes near: by the time it clicks, large meshes have their trees.

@@ -7,7 +7,7 @@ import type { FrameInputs } from '../../frame/inputs.ts';
 
 type Float = Node<'float'>;
 
-/** The largest radius, as a part of the picture's height: what is blurred more would need more samples than there are. */
+/** The largest radius, as a part of the whole picture's height: what is blurred more would need more samples than there are. */
 export const MOST_RADIUS = 1 / 12;
 
 export class CircleOfConfusion {
@@ -32,7 +32,7 @@ export class CircleOfConfusion {
    * to places R (1/f - 1/z) apart, on a plane at distance 1, if f is in focus.
    */
   radius(depth: Float): Float {
-    const { projection, near, far, size } = this.#inputs;
+    const { projection, near, far, size, part } = this.#inputs;
     // Linear in the depth, on both back ends; 0 where nothing is.
     const inverseDistance = depth
       .oneMinus()
@@ -43,7 +43,7 @@ export class CircleOfConfusion {
       .element(1)
       .y.mul(size.y)
       .mul(0.5);
-    const most = size.y.mul(MOST_RADIUS);
+    const most = size.y.mul(MOST_RADIUS).div(part.w);
     const radius = this.#radius.mul(this.#focus.reciprocal().sub(inverseDistance)).mul(pixels);
     return radius.clamp(most.negate(), most) as Float;
   }

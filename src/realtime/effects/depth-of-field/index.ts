@@ -33,10 +33,14 @@ class DepthOfField implements Effect {
     // As many tiles as the largest circle may reach, for any size of the picture.
     const across = new Pass(
       'reach across',
-      tileSpread(this.#tileSize, texture(tiles.target.texture), 'x'),
+      tileSpread(shared, this.#tileSize, texture(tiles.target.texture), 'x'),
       exact,
     );
-    const reach = new Pass('reach', tileSpread(this.#tileSize, texture(across.target.texture), 'y'), exact);
+    const reach = new Pass(
+      'reach',
+      tileSpread(shared, this.#tileSize, texture(across.target.texture), 'y'),
+      exact,
+    );
     const reachMap = texture(reach.target.texture);
     const far = new Pass('far', farGathered(shared, halfMap));
     const near = new Pass('near', nearGathered(shared, halfMap, reachMap));

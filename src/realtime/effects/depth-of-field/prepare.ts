@@ -81,11 +81,16 @@ export function tileReach({ halfSize }: Shared, half: TextureNode<'vec4'>): Node
 const REACH = MOST_RADIUS;
 
 /** The largest radius of those tiles along an axis whose circles reach this one. */
-export function tileSpread(tileSize: Node<'vec2'>, tiles: TextureNode<'vec4'>, axis: 'x' | 'y'): Node {
+export function tileSpread(
+  { inputs }: Shared,
+  tileSize: Node<'vec2'>,
+  tiles: TextureNode<'vec4'>,
+  axis: 'x' | 'y',
+): Node {
   return Fn(() => {
     const reach = float(0).toVar();
-    // The circle is a part of the height; tiles are square.
-    const count = tileSize.y.mul(REACH).ceil().add(1).toVar() as Float;
+    // The circle is a part of the whole's height; tiles are square.
+    const count = tileSize.y.mul(REACH).div(inputs.part.w).ceil().add(1).toVar() as Float;
     const step = (axis === 'x' ? vec2(1, 0) : vec2(0, 1)).div(tileSize).toVar() as unknown as Vec2;
     Loop({ start: count.negate().toInt(), end: count.toInt(), condition: '<=', type: 'int' }, ({ i }) => {
       const offset = (i as Node<'int'>).toFloat().toVar() as Float;

@@ -1,9 +1,9 @@
 /** The fog's light between the texels that it was computed for: smoothed among them, then brought to every pixel. */
 import { Fn, float, uv, vec2, vec3, vec4 } from 'three/tsl';
 import type { Node } from 'three/webgpu';
+import { keptFloat, keptVec2 } from '../../../material/statements.ts';
 import { inputTexture, type Pass } from '../../frame/pass.ts';
 import type { Guide } from '../screen-space/guide.ts';
-import { kept2, keptFloat } from './nodes.ts';
 
 type Float = Node<'float'>;
 type Vec2 = Node<'vec2'>;
@@ -35,9 +35,9 @@ export function smoothed(guide: Guide, light: Pass): Node {
 /** The light at a pixel, between the texels around. @param distance of the pixel's surface, along the view */
 export function brought(guide: Guide, light: Pass, distance: Float): Vec3 {
   const at = (uv() as Vec2).mul(guide.size).sub(0.5).toVar() as Vec2;
-  const part = kept2(at.fract() as Vec2);
+  const part = keptVec2(at.fract() as Vec2);
   // From the texel that the pixel is in to the corners of the square of texels' centres that it is in.
-  const corner = kept2(at.floor().sub((uv() as Vec2).mul(guide.size).floor()) as Vec2);
+  const corner = keptVec2(at.floor().sub((uv() as Vec2).mul(guide.size).floor()) as Vec2);
   const taps = CORNERS.map(([x, y]): Tap => {
     const weight = (x ? part.x : part.x.oneMinus()).mul(y ? part.y : part.y.oneMinus());
     return [corner.add(vec2(x, y)) as Vec2, weight as Float];
@@ -49,7 +49,7 @@ export function brought(guide: Guide, light: Pass, distance: Float): Vec3 {
 function near(guide: Guide, pass: Pass, distance: Float, taps: readonly Tap[]): Vec3 {
   const light = inputTexture();
   light.value = pass.target.texture;
-  const centre = kept2((uv() as Vec2).mul(guide.size).floor().add(0.5) as Vec2);
+  const centre = keptVec2((uv() as Vec2).mul(guide.size).floor().add(0.5) as Vec2);
   const sum = vec3(0).toVar();
   const weights = float(0).toVar();
   for (const [offset, share] of taps) {

@@ -32,16 +32,16 @@ import {
   type WebGPURenderer,
 } from 'three/webgpu';
 import type { Air } from '../../../material/air.ts';
-import { repeat } from '../../../material/statements.ts';
+import { keptFloat, keptVec3, repeat } from '../../../material/statements.ts';
 import type { Effect, EffectDefinition, EffectSettings } from '../../frame/effect.ts';
 import type { FrameInputs } from '../../frame/inputs.ts';
 import { inputTexture, Pass } from '../../frame/pass.ts';
 import { type Guide, NOTHING, positionAt, releaseGuide, takeGuide } from '../screen-space/guide.ts';
 import { gradientNoise } from '../screen-space/noise.ts';
 import { brought, smoothed } from './bring.ts';
+import { dataTexture } from './data-texture.ts';
 import { airSample, fogTransmittance, litWay, scattered } from './functions.ts';
 import { AirLamps } from './lamps.ts';
-import { dataTexture, kept, keptFloat } from './nodes.ts';
 import { boundingSphere } from './sphere.ts';
 import { seesLamp } from './visibility.ts';
 
@@ -155,7 +155,7 @@ class FogEffect implements Effect {
     const way = toWorld.mul(vec4(positionAt(this.#inputs, ndc, float(1)), 0)).xyz.toVar() as Vec3;
     const isOpen = distance.greaterThanEqual(NOTHING);
     return {
-      direction: kept(way.normalize() as Vec3),
+      direction: keptVec3(way.normalize() as Vec3),
       far: keptFloat(isOpen.select(float(FAR), way.length().mul(distance)) as unknown as Float),
     };
   }

@@ -17,6 +17,7 @@ import {
   vec4,
 } from 'three/tsl';
 import type { Node, WebGPURenderer } from 'three/webgpu';
+import { type Assignable, keptVec3 } from '../../../material/statements.ts';
 import type { FrameInputs } from '../../frame/inputs.ts';
 import { Pass } from '../../frame/pass.ts';
 import { columnsOf, distanceOf, inline, NOTHING, positionAt, texelAt } from '../screen-space/guide.ts';
@@ -27,7 +28,6 @@ type Float = Node<'float'>;
 type Vec2 = Node<'vec2'>;
 type Vec3 = Node<'vec3'>;
 type Vec4 = Node<'vec4'>;
-type Assignable = { assign(value: Node): void };
 
 /** Lamps of a texture, whose alpha is the distance; and textures: materials may read 16 on any machine, with their own. */
 export const GROUP = 3;
@@ -90,8 +90,7 @@ export class LampMask {
   atFragment(): Float[] {
     return this.#passes.flatMap(({ target }) => {
       // Kept here: three.js would move it to where it is needed first, into branches too.
-      const kept = vec3(0).toVar() as Vec3 & Assignable;
-      kept.assign(gathered(this.#inputs, (place) => texelAt(target.texture, place)));
+      const kept = keptVec3(gathered(this.#inputs, (place) => texelAt(target.texture, place)));
       return [kept.x, kept.y, kept.z] as Float[];
     });
   }

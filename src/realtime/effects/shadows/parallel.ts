@@ -141,9 +141,10 @@ function sliceWindow(
   { size, tangent }: CascadeSettings,
   depth: number,
 ): { placement: Placement; texel: number } {
-  // The least ball about the camera's pyramid up to `far`: as large whichever way the camera turns.
+  // The least ball about the camera's pyramid up to `far`: as large whichever way the camera turns, and for all parts of a view.
+  const aspect = camera.view?.enabled ? camera.view.fullWidth / camera.view.fullHeight : camera.aspect;
   const half = Math.tan((camera.fov * Math.PI) / 360);
-  const slope2 = half * half * (1 + camera.aspect * camera.aspect);
+  const slope2 = half * half * (1 + aspect * aspect);
   const along = Math.min(far, (far * (1 + slope2)) / 2);
   const radius = Math.hypot(far - along, far * Math.sqrt(slope2));
   const centre = new Vector3(0, 0, -along).applyMatrix4(camera.matrixWorld).applyMatrix4(toFrame);

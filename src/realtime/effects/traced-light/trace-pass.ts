@@ -17,6 +17,7 @@ import {
 } from 'three/tsl';
 import type { Node, PerspectiveCamera, RenderTarget, Scene, WebGPURenderer } from 'three/webgpu';
 import type { RayTracer, TracedRay } from '../../../material/frame-context.ts';
+import type { Assignable } from '../../../material/statements.ts';
 import type { FrameInputs } from '../../frame/inputs.ts';
 import { type Guide, texelAt } from '../screen-space/guide.ts';
 import { gradientNoise, latticeNoise } from '../screen-space/noise.ts';
@@ -28,7 +29,6 @@ type Float = Node<'float'>;
 type Vec2 = Node<'vec2'>;
 type Vec3 = Node<'vec3'>;
 type Vec4 = Node<'vec4'>;
-type Assignable = { assign(value: Node): void };
 
 /** The part of the frame at its borders over which what is found gives way to far light. */
 const BORDER = 0.05;

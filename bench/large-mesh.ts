@@ -1,30 +1,21 @@
-/**
- * Whether the page stays alive: for what a person does with a large mesh, the longest task of the page's thread. Times are
- * those of the thread's own clock in a trace of Chromium: what other programs take from it, and what it waits for a GPU of
- * software, which is a process of its own, is not in them.
- */
+/** Operations on a mesh of many triangles. */
 import { mkdtempSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
-import type { Browser, Page } from 'playwright-core';
-import { startStaticServer } from '../src/cli/static-server.ts';
-import { pageHeaders } from '../src/page-policy.ts';
 import { wavyGlb } from '../test/e2e/glb.ts';
-import { launchBrowser } from '../test/support/browser.ts';
-import { repository } from '../vite.shared.config.ts';
-
-export interface OperationTasks {
-  readonly name: string;
-  /** Of the longest task, ms of the thread's own time. */
-  readonly longest: number;
-  /** How many took more than LONG. */
-  readonly long: number;
-  /** The longest by the clock on the wall, ms: with what else the machine does, and with waiting for the GPU. */
-  readonly wall: number;
-}
-
-/** ms: what the page's thread should not spend at a stretch. */
-export const LONG = 50;
+import {
+  AREA,
+  measureOperations,
+  middle,
+  type Operation,
+  type OperationTasks,
+  openAgain,
+  openAnother,
+  press,
+  saveFile,
+  type TasksRequest,
+  until,
+} from './operations.ts';
 
 /** Little work for the GPU: a sphere on a floor at a quarter of the resolution. */
 const SCENE = {
@@ -52,49 +43,17 @@ interface Edited {
   environment: { source: { turbidity: number; groundColor: [number, number, number] } };
 }
 declare const irradia: {
-  ready: Promise<void>;
   mirror: { settled(): Promise<void> };
-  viewport: { nextFrame(): Promise<void>; tracing: { state: { kind: string } } };
   store: {
     document: { name: string; objects: Record<string, { name: string }> };
     edit(label: string, recipe: (draft: Edited) => void): void;
   };
 };
 
-/** What is asked for has come, is drawn, and nothing follows. */
-async function rest(page: Page): Promise<void> {
-  await page.evaluate(async () => {
-    for (let i = 0; i < 2; i++) {
-      await irradia.mirror.settled();
-      await irradia.viewport.nextFrame();
-    }
-  });
-  await page.waitForTimeout(400);
-}
-
-type Operation = readonly [name: string, run: (page: Page, model: string) => Promise<void>];
-
-const AREA = '.viewport canvas';
-
-async function middle(page: Page): Promise<{ x: number; y: number }> {
-  const box = await page.locator(AREA).first().boundingBox();
-  if (!box) throw new Error('the page has no viewport');
-  return { x: box.x + box.width / 2, y: box.y + box.height / 2 };
-}
-
-const press = (key: string) => async (page: Page) => {
-  await page.keyboard.press(key);
-};
-
-/** Until an expression is true; asked from outside, as the page's policy wants it. */
-async function until(page: Page, expression: string): Promise<void> {
-  while (!(await page.evaluate<boolean>(expression))) await page.waitForTimeout(30);
-}
-
-const OPERATIONS: readonly Operation[] = [
+const operations = (model: string): readonly Operation[] => [
   [
     'import a GLB',
-    async (page, model) => {
+    async (page) => {
       const chooser = page.waitForEvent('filechooser');
       await page.keyboard.press('Control+o');
       await (await chooser).setFiles(model);
@@ -225,14 +184,7 @@ const OPERATIONS: readonly Operation[] = [
       await (await download).path();
     },
   ],
-  [
-    'save a file',
-    async (page) => {
-      const download = page.waitForEvent('download');
-      await page.keyboard.press('Control+s');
-      await (await download).path();
-    },
-  ],
+  saveFile,
   [
     'share: too large for a link',
     async (page) => {
@@ -242,95 +194,21 @@ const OPERATIONS: readonly Operation[] = [
       await page.keyboard.press('Escape');
     },
   ],
-  [
-    'open another document',
-    async (page) => {
-      await page.click('.topbar >> text="File"');
-      await page.click('.menu button >> text="New"');
-      await until(page, 'irradia.store.document.name !== "Bench"');
-    },
-  ],
-  [
-    'open it again',
-    async (page) => {
-      await page.keyboard.press('Control+Shift+O');
-      await page.locator('.document-card', { hasText: 'Bench' }).dblclick();
-      await until(page, 'irradia.store.document.name === "Bench"');
-    },
-  ],
+  openAnother,
+  openAgain,
 ];
 
 /** @param triangles of the mesh */
-export async function measureTasks(triangles: number, only?: string): Promise<readonly OperationTasks[]> {
+export async function measureLargeMesh(
+  triangles: number,
+  request: TasksRequest,
+): Promise<readonly OperationTasks[]> {
   const folder = mkdtempSync(join(tmpdir(), 'irradia-bench-'));
-  const model = join(folder, 'wavy.glb');
-  writeFileSync(model, wavyGlb(triangles));
-  const server = await startStaticServer({
-    folder: join(repository, 'dist/lab'),
-    files: new Map([['/scene.json', JSON.stringify(SCENE)]]),
-    headers: pageHeaders,
-    port: 0,
-  });
-  const browser = await launchBrowser();
   try {
-    const page = await browser.newPage({ viewport: { width: 1200, height: 700 }, reducedMotion: 'reduce' });
-    page.setDefaultTimeout(120_000);
-    await page.addInitScript('delete window.showSaveFilePicker');
-    await page.goto(`${server.url}?scene=/scene.json`);
-    await page.evaluate('irradia.ready');
-    await rest(page);
-    const tasks: OperationTasks[] = [];
-    for (const [name, run] of OPERATIONS) {
-      tasks.push({ name, ...(await traced(browser, page, () => run(page, model))) });
-      if (name === only) break;
-    }
-    return tasks;
+    const model = join(folder, 'wavy.glb');
+    writeFileSync(model, wavyGlb(triangles));
+    return await measureOperations(SCENE, operations(model), request);
   } finally {
-    await browser.close();
-    await server.close();
     rmSync(folder, { recursive: true });
   }
-}
-
-interface TraceEvent {
-  readonly name: string;
-  readonly ph: string;
-  readonly pid: number;
-  readonly tid: number;
-  readonly ts: number;
-  /** Microseconds by the thread's own clock. */
-  readonly tdur?: number;
-  /** Microseconds. */
-  readonly dur?: number;
-}
-
-const MARK = 'irradia-bench';
-
-async function traced(
-  browser: Browser,
-  page: Page,
-  run: () => Promise<void>,
-): Promise<Omit<OperationTasks, 'name'>> {
-  await browser.startTracing(page, {
-    categories: ['toplevel', 'blink.user_timing', 'disabled-by-default-devtools.timeline'],
-  });
-  await page.evaluate((mark) => void performance.mark(mark), MARK);
-  await run();
-  await rest(page);
-  await page.evaluate((mark) => void performance.mark(mark), MARK);
-  const { traceEvents } = JSON.parse((await browser.stopTracing()).toString()) as {
-    traceEvents: TraceEvent[];
-  };
-  const [first, last] = traceEvents.filter(({ name, ph }) => name === MARK && ph !== 'E');
-  if (!first || !last) throw new Error('the trace lacks the marks of the page');
-  const tasks = traceEvents.filter(
-    ({ name, pid, tid, ts }) =>
-      name === 'RunTask' && pid === first.pid && tid === first.tid && ts >= first.ts && ts <= last.ts,
-  );
-  const spent = tasks.map(({ tdur = 0 }) => tdur / 1000);
-  return {
-    longest: Math.max(0, ...spent),
-    long: spent.filter((ms) => ms > LONG).length,
-    wall: Math.max(0, ...tasks.map(({ dur = 0 }) => dur / 1000)),
-  };
 }
