@@ -122,6 +122,13 @@ it('the keyboard alone adds a sphere, changes its roughness, takes it back, and 
   );
   while (!(await page.page.evaluate(`document.activeElement.closest('.panel-right') !== null`)))
     await keyboard.press('F6');
+  // Another model is another set of fields, among which the focus stays where it is.
+  const models = `[data-label="Model"] select`;
+  await tabTo(page, models);
+  await keyboard.press('ArrowUp');
+  await page.until(`irradia.store.document.materials.sphere.model !== 'principled'`);
+  await page.inspector().waitFor({ state: 'attached' });
+  expect(await page.page.evaluate(`document.activeElement.matches('${models}')`)).toBe(true);
   const roughness = `[data-label="Roughness"] input[type=range]`;
   await tabTo(page, roughness);
   const before = await focused('value');

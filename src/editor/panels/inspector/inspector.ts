@@ -1,7 +1,7 @@
 /**
  * The inspector shows the fields of what is selected. It is built anew only when other fields are
  * needed; otherwise every field is updated in place, so that a slider survives its own drag. Until the new ones are there,
- * those of before cannot be used.
+ * those of before cannot be used. A field that has the focus hands it to the one of its name.
  */
 import { describeEntities } from '../../../scene/entity.ts';
 import { geometryNames } from '../../../scene/geometry-schema.ts';
@@ -9,11 +9,12 @@ import { lightDefaults } from '../../../scene/light-schema.ts';
 import type { Document } from '../../../scene/schema.ts';
 import { renameEntity } from '../../commands.ts';
 import { t, translate } from '../../language/language.ts';
-import { nextTask } from '../../next-task.ts';
 import type { Session } from '../../session.ts';
 import type { Selection } from '../../state.ts';
 import { h } from '../../ui/dom.ts';
 import { textField } from '../../ui/fields.ts';
+import { tabStops } from '../../ui/focus.ts';
+import { Follower } from '../../ui/follower.ts';
 import { tryEdit } from './cell.ts';
 import { groupButton } from './group-button.ts';
 import { lightPanel, lightStructure } from './light.ts';
@@ -46,9 +47,8 @@ export function createInspector(session: Session): HTMLElement {
 
   let panel: InspectorPanel | null = null;
   let structure = '';
-  let building = false;
+  let returnFocus = () => {};
   const build = () => {
-    building = false;
     body.inert = false;
     const { selection } = state.value;
     const next = structureOf(session, selection);
@@ -63,16 +63,18 @@ export function createInspector(session: Session): HTMLElement {
     panel.update();
     body.replaceChildren(panel.element);
     body.scrollTop = scroll;
+    returnFocus();
   };
+  // In a task of its own, once for all that changes in this one: what was chosen and a document that is opened.
+  const building = new Follower(build, () => false);
   const update = () => {
     const { document } = store;
     const { selection, selected } = state.value;
     if (structureOf(session, selection) === structure) panel?.update();
-    else if (!building) {
-      // In a task of its own, once for all that changes in this one: what was chosen and a document that is opened.
-      building = true;
+    else {
+      if (!body.inert) returnFocus = focusReturn(body);
       body.inert = true;
-      void nextTask().then(build);
+      building.soon();
     }
     const several = selected.length > 1;
     name.element.hidden = several;
@@ -91,6 +93,20 @@ export function createInspector(session: Session): HTMLElement {
   });
   update();
   return element;
+}
+
+/** What puts the focus where it is now within a panel once that is made anew, if it has such a row and nothing else took the focus. */
+function focusReturn(panel: HTMLElement): () => void {
+  const focused = document.activeElement;
+  const row = focused?.closest<HTMLElement>('[data-label]');
+  if (!(focused instanceof HTMLElement && row && panel.contains(row))) return () => {};
+  const at = tabStops(row).indexOf(focused);
+  return () => {
+    if (document.activeElement !== document.body) return;
+    const rows = [...panel.querySelectorAll<HTMLElement>('[data-label]')];
+    const again = rows.find(({ dataset }) => dataset.label === row.dataset.label);
+    if (again) tabStops(again)[at]?.focus();
+  };
 }
 
 function structureOf(session: Session, selection: Selection): string {
