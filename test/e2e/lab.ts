@@ -159,11 +159,12 @@ export class LabPage {
     return this.page.evaluate('irradia.store.document');
   }
 
-  /** The picture of the present document, once everything in it is there. */
+  /** The picture of the present document, once everything in it is there and compiled: a frame alone waits two seconds for that. */
   picture(): Promise<Picture> {
     return this.page.evaluate(`(async () => {
       const { mirror, viewport, renderer, store } = irradia;
       await mirror.settled();
+      await viewport.whole();
       await viewport.nextFrame();
       const pixels = await renderer.readImage(store.document.view);
       const digest = await crypto.subtle.digest('SHA-256', pixels);

@@ -63,11 +63,12 @@ it('a document with assets is there again after a crash, and an edit writes only
   const document = await first.document();
   await crash(first);
   const scenes = { thesis: JSON.parse(files['/small.json'] ?? '') };
-  const second = await (await lab.open({ beside: first, scenes })).ready();
+  const second = await lab.open({ beside: first, scenes });
+  // The offer goes after a while, which a page that starts on a busy machine may take.
   await second.waitForToast('Recovered “With noise”');
   expect(await second.document()).toEqual(document);
-
   await second.takeOffer('Discard');
+  await second.ready();
   await second.waitForToast('Deleted “With noise”');
   expect((await second.document()).name).not.toBe('With noise');
   await second.takeOffer('Undo');

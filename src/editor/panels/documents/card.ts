@@ -7,8 +7,6 @@ import { icon } from '../../ui/icons.ts';
 import { agoText, bytesText } from './format.ts';
 
 export interface CardState {
-  /** Of its picture. */
-  readonly url: string | null;
   readonly chosen: boolean;
   /** Here, in another tab, or nowhere. */
   readonly state: 'open' | 'elsewhere' | null;
@@ -16,14 +14,15 @@ export interface CardState {
 
 const BADGES = { open: t('open'), elsewhere: t('in another tab') };
 
-export function createCard(kept: KeptDocument, { url, chosen, state }: CardState): HTMLButtonElement {
+/** Without its picture, which showPicture() puts there. */
+export function createCard(kept: KeptDocument, { chosen, state }: CardState): HTMLButtonElement {
   const card = h(
     'button',
     { type: 'button', class: 'document-card', ...(chosen && { 'aria-current': 'true' }) },
     h(
       'span',
       { class: 'document-picture' },
-      url ? h('img', { src: url, alt: '', draggable: 'false' }) : icon('scene'),
+      icon('scene'),
       state ? h('span', { class: 'badge' }, BADGES[state]) : null,
     ),
     h('span', { class: 'document-name' }, kept.name || t('Untitled')),
@@ -31,6 +30,11 @@ export function createCard(kept: KeptDocument, { url, chosen, state }: CardState
   );
   card.dataset.document = kept.id;
   return card;
+}
+
+export function showPicture(card: Element, url: string): void {
+  const picture = card.querySelector('.document-picture > :is(img, svg)');
+  picture?.replaceWith(h('img', { src: url, alt: '', draggable: 'false' }));
 }
 
 /** Its own part; versions and what it shares with others left aside. */

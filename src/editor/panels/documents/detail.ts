@@ -2,7 +2,7 @@
 import { setField } from '../../../scene/commands.ts';
 import { attempt } from '../../commands.ts';
 import { t } from '../../language/language.ts';
-import type { KeptDocument } from '../../storage/kept-documents.ts';
+import type { KeptDocument, Version } from '../../storage/kept-documents.ts';
 import { whileHeld } from '../../storage/session-record.ts';
 import { timeText } from '../../storage/workspace.ts';
 import { h } from '../../ui/dom.ts';
@@ -11,11 +11,18 @@ import { toastError } from '../../ui/toast.ts';
 import type { DocumentsContext } from './documents.ts';
 import { createVersions } from './versions.ts';
 
-export async function createDetail(
+export interface DetailState {
+  /** The documents that pages have open. */
+  readonly held: ReadonlySet<string>;
+  /** Its versions. */
+  readonly versions: readonly Version[];
+}
+
+export function createDetail(
   context: DocumentsContext,
   kept: KeptDocument,
-  held: ReadonlySet<string>,
-): Promise<HTMLElement[]> {
+  { held, versions }: DetailState,
+): HTMLElement[] {
   const { session, storage, refresh, close } = context;
   const { workspace, store } = session;
   const isOpen = kept.id === workspace.kept?.id;
@@ -36,6 +43,7 @@ export async function createDetail(
           setField(store, ['name'], name.value, t('Rename to {name}', { name: name.value })),
         );
         store.endMerge();
+        name.value = store.document.name;
         await workspace.flush();
       } else await whileHeld(kept.id, () => storage.rename(kept, name.value));
       await refresh();
@@ -69,7 +77,7 @@ export async function createDetail(
     h('p', { class: 'document-facts' }, facts.join(' · ')),
     elsewhere ? h('p', { class: 'hint' }, t('Another tab has it open. Opening it here makes a copy.')) : null,
     h('div', { class: 'document-actions' }, open, duplicate, remove),
-    await createVersions(context, kept, isOpen),
+    createVersions(context, kept, versions),
   ].filter((part) => part !== null);
 }
 

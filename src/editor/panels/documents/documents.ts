@@ -8,7 +8,7 @@ import { openDialog } from '../../ui/dialog.ts';
 import { h } from '../../ui/dom.ts';
 import { icon } from '../../ui/icons.ts';
 import { toast, toastError } from '../../ui/toast.ts';
-import { createCard } from './card.ts';
+import { createCard, showPicture } from './card.ts';
 import { createDetail } from './detail.ts';
 import { createUsage } from './usage.ts';
 
@@ -33,6 +33,8 @@ export async function openDocuments(session: Session): Promise<void> {
   const urls: string[] = [];
   let chosen = workspace.kept?.id;
   let shown = 0;
+  // What is on the page stays there while it is true: a click whose button is replaced before it ends does nothing.
+  let [cardsShow, detailShows] = ['', ''];
 
   const context: DocumentsContext = { session, storage, refresh, close: () => dialog.close() };
 
@@ -41,17 +43,33 @@ export async function openDocuments(session: Session): Promise<void> {
     const [documents, held] = await Promise.all([storage?.list() ?? [], heldDocuments()]);
     const pictures = await Promise.all(documents.map(({ id }) => storage?.thumbnail(id)));
     if (turn !== shown) return;
+    if (!documents.some(({ id }) => id === chosen)) chosen = documents[0]?.id;
+    const cardsToShow = JSON.stringify([documents, [...held], workspace.kept?.id]);
+    if (cardsToShow !== cardsShow) {
+      cardsShow = cardsToShow;
+      showCards(documents, held);
+    }
     for (const url of urls.splice(0)) URL.revokeObjectURL(url);
+    for (const [i, picture] of pictures.entries()) {
+      const card = list.children[i];
+      if (!card || !picture) continue;
+      const url = URL.createObjectURL(picture);
+      urls.push(url);
+      showPicture(card, url);
+    }
+    await showDetail(
+      documents.find(({ id }) => id === chosen),
+      held,
+    );
+    await usage.refresh(documents);
+  }
+
+  function showCards(documents: readonly KeptDocument[], held: ReadonlySet<string>): void {
     const focused = document.activeElement;
     const hadFocus = focused instanceof HTMLElement && list.contains(focused);
-    if (!documents.some(({ id }) => id === chosen)) chosen = documents[0]?.id;
-    const cards = documents.map((kept, i) => {
-      const picture = pictures[i];
-      const url = picture ? URL.createObjectURL(picture) : null;
-      if (url) urls.push(url);
+    const cards = documents.map((kept) => {
       const open = kept.id === workspace.kept?.id;
       const card = createCard(kept, {
-        url,
         chosen: kept.id === chosen,
         state: open ? 'open' : held.has(kept.id) ? 'elsewhere' : null,
       });
@@ -71,10 +89,15 @@ export async function openDocuments(session: Session): Promise<void> {
         ? cards
         : [h('p', { class: 'hint' }, t('What you change is kept here by itself. There is nothing yet.'))]),
     );
-    const kept = documents.find(({ id }) => id === chosen);
-    detail.replaceChildren(...(kept ? await createDetail(context, kept, held) : []));
     if (hadFocus) list.querySelector<HTMLElement>('[aria-current]')?.focus();
-    await usage.refresh(documents);
+  }
+
+  async function showDetail(kept: KeptDocument | undefined, held: ReadonlySet<string>): Promise<void> {
+    const versions = kept && storage ? await storage.versions(kept.id) : [];
+    const toShow = JSON.stringify([kept, kept?.file?.name, versions, [...held], workspace.kept?.id]);
+    if (kept?.id !== chosen || toShow === detailShows) return;
+    detailShows = toShow;
+    detail.replaceChildren(...(kept ? createDetail(context, kept, { held, versions }) : []));
   }
 
   function choose(kept: KeptDocument): void {
@@ -84,9 +107,7 @@ export async function openDocuments(session: Session): Promise<void> {
         card.setAttribute('aria-current', 'true');
       else card.removeAttribute('aria-current');
     }
-    void heldDocuments()
-      .then((held) => createDetail(context, kept, held))
-      .then((parts) => chosen === kept.id && detail.replaceChildren(...parts));
+    void heldDocuments().then((held) => showDetail(kept, held));
   }
 
   async function openKept(kept: KeptDocument): Promise<void> {
@@ -126,7 +147,8 @@ export async function openDocuments(session: Session): Promise<void> {
     // Its picture may take a while, which is no reason not to show the dialog.
     await workspace.flush();
     await refresh();
-    list.querySelector<HTMLElement>('[aria-current]')?.focus();
+    // Who was quicker keeps the field that is written in.
+    if (!detail.contains(document.activeElement)) list.querySelector<HTMLElement>('[aria-current]')?.focus();
   } catch (error) {
     dialog.close();
     toastError(t('The documents could not be read'), error);

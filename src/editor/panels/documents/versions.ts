@@ -10,13 +10,12 @@ import { run } from './detail.ts';
 import type { DocumentsContext } from './documents.ts';
 import { agoText } from './format.ts';
 
-export async function createVersions(
+export function createVersions(
   context: DocumentsContext,
   kept: KeptDocument,
-  isOpen: boolean,
-): Promise<HTMLElement> {
+  versions: readonly Version[],
+): HTMLElement {
   const { session, storage, refresh } = context;
-  const versions = await storage.versions(kept.id);
   const name = h('input', {
     type: 'text',
     class: 'text-field',
@@ -43,7 +42,7 @@ export async function createVersions(
     'section',
     { class: 'versions' },
     h('h2', {}, t('Versions')),
-    isOpen ? form : null,
+    kept.id === session.workspace.kept?.id ? form : null,
     versions.length > 0
       ? list
       : h('p', { class: 'hint' }, t('One is kept by itself every ten minutes of work.')),

@@ -33,6 +33,7 @@ export async function renderTraced(options: TracedOptions): Promise<Traced> {
   const send = (message: ToDirector) => worker.postMessage(message);
   try {
     const origin = await originOf(document, options.exposure);
+    signal.throwIfAborted();
     return await new Promise<Traced>((resolve, reject) => {
       signal.addEventListener('abort', () => reject(signal.reason), { once: true });
       worker.addEventListener('error', (event) =>
