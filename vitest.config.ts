@@ -39,6 +39,7 @@ export default defineConfig({
           name: { label: 'unit', color: 'green' },
           include: ['test/**/*.test.ts'],
           exclude: [gpu, e2e],
+          setupFiles: 'test/support/seed.ts',
         },
       },
       { extends: true, test: { ...common, name: { label: 'gpu', color: 'cyan' }, include: [gpu] } },

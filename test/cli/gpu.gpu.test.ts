@@ -40,12 +40,15 @@ describe('the GPU in Node', () => {
   });
 
   test('reports an error that nobody awaited', async () => {
+    let onFatal: (message: string) => void = () => {};
     const message = new Promise<string>((resolve) => {
-      void requestGpu({ device: 'software', onFatal: resolve }).then((gpu) => {
-        gpu.device.createBuffer({ size: 4, usage: GPUBufferUsage.MAP_READ | GPUBufferUsage.MAP_WRITE });
-      });
+      onFatal = resolve;
     });
+    const { device } = await requestGpu({ device: 'software', onFatal: (text) => onFatal(text) });
+    device.createBuffer({ size: 4, usage: GPUBufferUsage.MAP_READ | GPUBufferUsage.MAP_WRITE });
     expect(await message).toContain('GPU error');
+    // Until here it must not be collected as garbage.
+    device.destroy();
   });
 });
 

@@ -2,9 +2,12 @@ import { expect, test } from 'vitest';
 import { materialLibrary } from '../../src/analysis/library/library.ts';
 import { openLab, small } from './lab.ts';
 
+const lab = await openLab();
+
 /** What the canvas shows, as sums over the left and the right half, away from the divider. */
 const HALVES = `(async () => {
   const { viewport, renderer, store } = irradia;
+  await viewport.whole();
   await viewport.nextFrame();
   const pixels = await renderer.readImage(store.document.view);
   const { width } = renderer.canvas;
@@ -18,10 +21,7 @@ const HALVES = `(async () => {
   return hashes;
 })()`;
 
-test('materials of the library: assigned, dragged, compared, varied, kept', {
-  timeout: 120_000,
-}, async () => {
-  const lab = await openLab();
+test('materials of the library: assigned, dragged, compared, varied, kept', async () => {
   const page = await (await lab.open(small())).ready();
   const { page: browser } = page;
   const card = (name: string) => `[data-material="${name}"]`;
@@ -44,12 +44,14 @@ test('materials of the library: assigned, dragged, compared, varied, kept', {
   expect(await undoLabel()).toBe('Assign Gold, polished');
   expect((await materialOf()).name).toBe('Gold, polished');
   expect(await browser.innerText('.library-source')).toContain('Johnson');
+  // The list is made anew for the material that the scene has now; the keys stay on the card.
+  const inScene = browser.locator('.library [data-section=scene] .material-card');
+  await inScene.filter({ hasText: 'Gold, polished' }).waitFor();
   await browser.click(card('library gold-satin'));
   expect((await materialOf()).name).toBe('Gold, satin');
   const names = Object.values((await page.document()).materials).map(({ name }) => name);
   expect(names).not.toContain('Gold, polished');
-  // The list is made anew for the material that the scene has now; the keys stay on the card.
-  await browser.locator('.library [data-section=scene] .material-card').waitFor();
+  await inScene.filter({ hasText: 'Gold, satin' }).waitFor();
   expect(await browser.evaluate('document.activeElement.dataset.material')).toBe('library gold-satin');
   // Its picture comes from a worker.
   await page.until(

@@ -37,7 +37,8 @@ async function runPage<Result>(browser: Browser, url: string, argument: unknown)
   const page = await browser.newPage({ viewport: { width: 640, height: 360 } });
   try {
     const errors = watchErrors(page);
-    await page.goto(url);
+    // Only catches a hang: the first page of a browser may wait for others that are being started.
+    await page.goto(url, { timeout: 120_000 });
     // A string, because Vitest rewrites the import() of a function. The result comes as one, too: Playwright looks at each
     // number of a picture several times on its way.
     const call = `import('./main.js')

@@ -3,6 +3,7 @@
  * the arrows go on and back, and Escape ends it.
  */
 import { t } from '../language/language.ts';
+import { nextTask } from '../next-task.ts';
 import type { Session } from '../session.ts';
 import { h } from '../ui/dom.ts';
 import { icon } from '../ui/icons.ts';
@@ -51,16 +52,24 @@ export function startTour(session: Session): void {
       return;
     }
     at = found.index;
-    target = found.target;
     const { title: name, text: words } = steps[at] as TourStep;
     title.textContent = name;
     text.textContent = words;
     count.textContent = t('{step} of {steps}', { step: at + 1, steps: steps.length });
     back.disabled = at === 0;
     next.textContent = at === steps.length - 1 ? t('Done') : t('Next');
-    target.scrollIntoView({ block: 'nearest' });
-    place();
+    pointAt(found.target);
     next.focus({ preventScroll: true });
+    // What prepare() asks for comes in a task of its own, in the place of what was there.
+    void nextTask().then(() => {
+      const there = end === finish && target?.isConnected === false && seen(steps, at, step);
+      if (there) pointAt(there.target);
+    });
+  };
+  const pointAt = (element: HTMLElement) => {
+    target = element;
+    element.scrollIntoView({ block: 'nearest' });
+    place();
   };
   const place = () => target && put(card, ring, target.getBoundingClientRect());
   const onKey = (event: KeyboardEvent) => {
