@@ -28,7 +28,7 @@ export function deleteSelected({ store, state }: Context): void {
   if (selected.length === 0) return;
   const locked = lockedOf(store.document, selected).length;
   attempt(t('Not deleted'), () => {
-    removeEntities(store, selected);
+    if (locked < selected.length) removeEntities(store, selected);
     if (locked > 0) toast('info', plural(locked, 'One is locked and stays', '{count} are locked and stay'));
   });
 }

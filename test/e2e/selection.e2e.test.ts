@@ -96,7 +96,9 @@ describe('the outliner', () => {
     await press('Enter', 'ArrowRight');
     expect((await page.document()).groups[group]?.name).toBe('Pair');
     await click('box-2');
-    await press('Shift+L');
+    await press('Shift+L', 'Delete');
+    await page.waitForToast('One is locked and stays');
+    expect(await objects()).toHaveLength(6);
     await page.page.locator('[data-group]').click();
     await press('Delete');
     await page.waitForToast('One is locked and stays');
@@ -237,6 +239,10 @@ describe('the command palette', () => {
     await press('Enter');
     expect(await selected()).toEqual(['box-4']);
     await press('Control+k');
+    await input.fill('effects medium');
+    await press('Enter');
+    expect((await page.document()).effects.shadows.enabled).toBe(true);
+    await press('Control+z', 'Control+k');
     await input.fill('export picture');
     await press('Enter');
     await page.page.locator('.export-picture').waitFor();

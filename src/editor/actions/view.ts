@@ -1,6 +1,9 @@
 /** What is seen, and how. */
+import { presetNames, presetOf } from '../../scene/effect-presets.ts';
 import { toggleBench, toggleBenchPage, toggleHelpers } from '../commands.ts';
 import { t } from '../language/language.ts';
+import { choiceLabel } from '../panels/inspector/field.ts';
+import { setPreset } from '../panels/inspector/preset.ts';
 import type { Session } from '../session.ts';
 import { type Rendering, renderings } from '../state.ts';
 import { stepShown } from '../viewport/show.ts';
@@ -52,6 +55,14 @@ export function viewActions(session: Session): Action[] {
         keys: [`${i + 1}`],
         on: () => state.value.rendering === rendering,
         run: () => state.set({ rendering }),
+      }),
+    ),
+    ...presetNames.map(
+      (name): Action => ({
+        id: `view.${name}Effects`,
+        title: t('Effects: {preset}', { preset: choiceLabel(name) }),
+        on: () => presetOf(store.document.effects) === name,
+        run: () => void setPreset(session, name),
       }),
     ),
     {

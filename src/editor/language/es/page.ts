@@ -103,6 +103,7 @@ export const page: Catalogue = {
   'Look at what is selected': 'Encuadrar lo seleccionado',
   'Focus the lens': 'Enfocar la lente',
   'Show the next data': 'Mostrar los datos siguientes',
+  'Effects: {preset}': 'Efectos: {preset}',
   'Show the previous data': 'Mostrar los datos anteriores',
   'Light helpers': 'Guías de las luces',
   'BRDF bench': 'Banco de BRDF',

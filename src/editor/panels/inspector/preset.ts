@@ -15,13 +15,13 @@ import { type Bound, choiceLabel } from './field.ts';
 
 const CUSTOM = 'custom';
 
-const set = ({ store }: Session, name: PresetName) =>
+export const setPreset = ({ store }: Session, name: PresetName) =>
   attempt(t('The effects are as they were'), () => applyPreset(store, name));
 
 export function presetChoice(session: Session): Bound {
   const { store } = session;
   const choices = presetNames.map((name) => ({ value: name as string, label: choiceLabel(name) }));
-  const field = selectField(t('Preset'), choices, (value) => set(session, value as PresetName));
+  const field = selectField(t('Preset'), choices, (value) => setPreset(session, value as PresetName));
   const tip = presetNames
     .map((name) => `${choiceLabel(name)}: ${translate(presets[name].description)}`)
     .join('\n');
@@ -43,6 +43,6 @@ export function presetEntries(session: Session): MenuEntry[] {
     label: choiceLabel(name),
     tip: translate(presets[name].description),
     ...(name === present && { icon: 'check' as const }),
-    run: () => void set(session, name),
+    run: () => void setPreset(session, name),
   }));
 }
