@@ -112,6 +112,16 @@ it('the keyboard alone adds a sphere, changes its roughness, takes it back, and 
   const spheres = `Object.values(irradia.store.document.objects).filter(({ geometry }) => geometry.type === 'sphere').length`;
   await page.until(`${spheres} === 2`);
 
+  // Fields that are still to come are there for the key that goes to them, though it comes in the same task.
+  const areUsable = await page.page.evaluate(`(() => {
+    const [body] = document.getElementsByClassName('inspector-body');
+    document.querySelector('[data-entity="objects/ball"]').click();
+    const before = !body.inert;
+    dispatchEvent(new KeyboardEvent('keydown', { key: 'Tab' }));
+    return [before, !body.inert];
+  })()`);
+  expect(areUsable).toEqual([false, true]);
+
   // The regions: on to the outliner, whose list leads to the material.
   await keyboard.press('F6');
   expect(await page.page.evaluate(`document.activeElement.closest('.panel-left') !== null`)).toBe(true);

@@ -47,13 +47,15 @@ export function createInspector(session: Session): HTMLElement {
 
   let panel: InspectorPanel | null = null;
   let structure = '';
-  let returnFocus = () => {};
+  let returnFocus: (() => void) | null = null;
   const build = () => {
     body.inert = false;
+    window.removeEventListener('keydown', onKey, true);
     const { selection } = state.value;
     const next = structureOf(session, selection);
     if (next === structure) {
       panel?.update();
+      returnFocus?.();
       return;
     }
     const sameThing = structure.split(' ', 2).join() === next.split(' ', 2).join();
@@ -63,16 +65,23 @@ export function createInspector(session: Session): HTMLElement {
     panel.update();
     body.replaceChildren(panel.element);
     body.scrollTop = scroll;
-    returnFocus();
+    returnFocus?.();
   };
   // In a task of its own, once for all that changes in this one: what was chosen and a document that is opened.
   const building = new Follower(build, () => false);
+  // Browsers put keys before tasks: on a busy page the keyboard would go through fields that are not there yet.
+  const onKey = ({ key }: KeyboardEvent) => {
+    if (key === 'Tab' || returnFocus || element.contains(document.activeElement)) building.now();
+  };
   const update = () => {
     const { document } = store;
     const { selection, selected } = state.value;
     if (structureOf(session, selection) === structure) panel?.update();
     else {
-      if (!body.inert) returnFocus = focusReturn(body);
+      if (!body.inert) {
+        returnFocus = focusReturn(body);
+        window.addEventListener('keydown', onKey, true);
+      }
       body.inert = true;
       building.soon();
     }
@@ -96,10 +105,10 @@ export function createInspector(session: Session): HTMLElement {
 }
 
 /** What puts the focus where it is now within a panel once that is made anew, if it has such a row and nothing else took the focus. */
-function focusReturn(panel: HTMLElement): () => void {
+function focusReturn(panel: HTMLElement): (() => void) | null {
   const focused = document.activeElement;
   const row = focused?.closest<HTMLElement>('[data-label]');
-  if (!(focused instanceof HTMLElement && row && panel.contains(row))) return () => {};
+  if (!(focused instanceof HTMLElement && row && panel.contains(row))) return null;
   const at = tabStops(row).indexOf(focused);
   return () => {
     if (document.activeElement !== document.body) return;
